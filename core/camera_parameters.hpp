@@ -1,0 +1,28 @@
+#pragma once
+/// @file  What a ROS calibration file says of a camera, as plain numbers.
+
+#include <array>
+#include <cstdint>
+
+namespace articam {
+
+enum class DistortionModel : std::uint8_t { plumb_bob };
+
+/// Intrinsics of one camera. Units: px unless a suffix says otherwise; distortion without unit.
+/// Pixel centres are integers, (0, 0) is the centre of the top-left pixel.
+struct CameraParameters {
+  int width_px{};
+  int height_px{};
+  double fx_px{}, fy_px{};  ///< focal lengths
+  double cx_px{}, cy_px{};  ///< principal point
+  DistortionModel distortion_model{DistortionModel::plumb_bob};
+  std::array<double, 5> distortion{};  ///< plumb_bob: k1 k2 p1 p2 k3
+
+  double readout_time_s{};  ///< rolling shutter, first to last row; 0 is a global shutter
+
+  /// Camera in the robot's control frame; identity where the file does not say.
+  std::array<double, 3> t_base_cam_m{};
+  std::array<double, 4> r_base_cam_wxyz{1, 0, 0, 0};
+};
+
+}  // namespace articam

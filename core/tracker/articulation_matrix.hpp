@@ -1,0 +1,55 @@
+#pragma once
+/// @file  Matches and a configuration -> the equations of one step: error e and articulation matrix A.
+
+#include "core/model/point_jacobian.hpp"
+#include "core/tracker/associate.hpp"
+#include "core/vision/imaged_circle.hpp"
+#include "core/vision/interaction_matrix.hpp"
+
+namespace articam::tracker {
+
+/// What a marker's image is taken for.
+enum class FeatureKind : std::uint8_t {
+  point,          ///< the projection of its centre, as in the paper
+  imaged_circle,  ///< the centre of its imaged ellipse
+};
+
+/// e = s - s_star and A with  edot = A qdot - s_star_dot (paper eq. 3, 4). Marker i has rows 2i and 2i + 1; they are
+/// zero, and so is their variance, where it has no match.
+///
+/// Shapes  e 2p, A 2p x nv, variance p.  Units  metric image plane.
+template <class M, class S>
+struct System {
+  static constexpr int kRows = 2 * model::kNumMarkers<M>;
+  static constexpr int kDof = model::kDof<M>;
+  Vec<S, kRows> e = Vec<S, kRows>::Zero();
+  Mat<S, kRows, kDof> A = Mat<S, kRows, kDof>::Zero();
+  Vec<S, model::kNumMarkers<M>> variance = Vec<S, model::kNumMarkers<M>>::Zero();
+};
+
+/// Errors  behind_camera when a matched marker is not in front of the camera; `system` is then not to be used.
+template <class M, class S>
+Status stack(const Matches<M, S>& matches, const model::Configuration<M, S>& q, FeatureKind kind,
+             System<M, S>& system) noexcept {
+  system = {};
+  const auto kinematics = model::forward_kinematics<M, S>(q.joints);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (!matches[i].matched) continue;
+    const model::MarkerRow& row = M::kMarkers[i];
+    const double diameter_m = kind == FeatureKind::imaged_circle ? row.outer_diameter_m : 0.0;
+    const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], diameter_m);
+    const auto s = vision::imaged_centre(circle);
+    if (!s.ok()) return s.status();
+    const auto L = kind == FeatureKind::imaged_circle ? vision::imaged_centre_interaction_matrix(circle)
+                                                      : vision::interaction_matrix<S>(s.value(), circle.centre.z());
+    if (!L.ok()) return L.status();
+    const auto J = model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body);
+    const auto i_row = static_cast<Eigen::Index>(2 * i);
+    system.e.template segment<2>(i_row) = s.value() - matches[i].s_star;
+    system.A.template middleRows<2>(i_row) = -L.value().lazyProduct(J);  // A_i = -L_i J_i
+    system.variance[static_cast<Eigen::Index>(i)] = matches[i].variance;
+  }
+  return Status::ok;
+}
+
+}  // namespace articam::tracker

@@ -1,0 +1,98 @@
+#pragma once
+/// @file  Between two frames: where the object is expected, how surely, and how fast it moves.
+
+#include "core/timestamp.hpp"
+#include "core/tracker/options.hpp"
+#include "core/tracker/vvs.hpp"
+
+namespace articam::tracker {
+
+/// Constant velocity for the mean; a standard deviation that never falls below Options::prior_* and grows at
+/// Options::growth_* while a degree of freedom is not observed.
+template <class M, class S>
+class MotionPrior {
+ public:
+  static constexpr int kDof = model::kDof<M>;
+  using Rates = Vec<S, kDof>;
+  using Configuration = model::Configuration<M, S>;
+
+  explicit MotionPrior(const Options& options) noexcept : options_{options} {}
+
+  void start(const Configuration& q0) noexcept {
+    q_ = q0;
+    deviation_ =
+        spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
+    rates_.setZero();
+    has_time_ = false;
+  }
+
+  /// Moves the prior to time t. Returns the span since the last frame, s; 0 where it is not to be integrated
+  /// (first frame, clock not ahead, gap longer than Options::max_gap_s).
+  S advance(Timestamp t) noexcept {
+    const double span_s = has_time_ ? seconds_between(t_, t) : 0.0;
+    const S elapsed_s = static_cast<S>(span_s > 0 ? span_s : 0);
+    const bool integrated = span_s > 0 && span_s <= options_.max_gap_s;
+    t_ = t, has_time_ = true;
+    if (integrated) {
+      const Rates step = rates_ * elapsed_s;
+      q_ = model::integrate<M, S>(q_, step);
+    } else {
+      rates_.setZero();
+    }
+    const Rates least =
+        spread(options_.prior_base_m, options_.prior_base_rad, options_.prior_slide_m, options_.prior_turn_rad);
+    const Rates most =
+        spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
+    const Rates growth =
+        spread(options_.growth_base_m, options_.growth_base_rad, options_.growth_slide_m, options_.growth_turn_rad);
+    deviation_ = (deviation_ + growth * elapsed_s).cwiseMax(least).cwiseMin(most);
+    return integrated ? elapsed_s : S(0);
+  }
+
+  /// A frame has been measured at the prior's time. `continuous` when the one before it was, too.
+  void measured(const Configuration& q, const Mat<S, kDof, kDof>& covariance, S span_s, bool continuous) noexcept {
+    if (continuous && span_s > S(0)) {
+      const Rates surprise = model::difference(q_, q) / span_s;  // velocity beyond the predicted one
+      rates_ += S(kRateGain) * surprise;
+    } else {
+      rates_.setZero();
+    }
+    q_ = q;
+    for (int i = 0; i < kDof; ++i) deviation_[i] = std::sqrt(covariance(i, i));
+  }
+
+  const Configuration& q() const noexcept { return q_; }
+  const Rates& rates() const noexcept { return rates_; }
+  Prior<M, S> prior() const noexcept { return {q_, deviation_.cwiseAbs2()}; }
+
+  /// As wide as before anything was seen, around the present mean.
+  Prior<M, S> wide_prior() const noexcept {
+    return {q_, spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad)
+                    .cwiseAbs2()};
+  }
+
+ private:
+  /// Share of a velocity surprise that is believed: the noise of a difference of two frames is damped to a third while
+  /// a change of speed is followed within five frames. Only windows and starting points depend on it.
+  static constexpr double kRateGain = 0.4;
+
+  static Rates spread(double base_m, double base_rad, double slide_m, double turn_rad) noexcept {
+    Rates spread;
+    spread.template head<3>().setConstant(static_cast<S>(base_m));
+    spread.template segment<3>(3).setConstant(static_cast<S>(base_rad));
+    for (int j = 0; j < model::kNumJoints<M>; ++j) {
+      const bool slides = M::kJoints[static_cast<std::size_t>(j)].kind == model::JointKind::prismatic;
+      spread[6 + j] = static_cast<S>(slides ? slide_m : turn_rad);
+    }
+    return spread;
+  }
+
+  Options options_;
+  Configuration q_{};
+  Rates deviation_ = Rates::Ones();
+  Rates rates_ = Rates::Zero();
+  Timestamp t_{};
+  bool has_time_{false};
+};
+
+}  // namespace articam::tracker

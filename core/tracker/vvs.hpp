@@ -1,0 +1,117 @@
+#pragma once
+/// @file  Virtual visual servoing iterated to convergence inside one frame: the default solver.
+
+#include "core/math/least_squares.hpp"
+#include "core/math/robust_weights.hpp"
+#include "core/tracker/articulation_matrix.hpp"
+
+namespace articam::tracker {
+
+/// Where the configuration is expected before the frame is looked at.
+template <class M, class S>
+struct Prior {
+  model::Configuration<M, S> mean{};
+  Vec<S, model::kDof<M>> variance = Vec<S, model::kDof<M>>::Ones();  ///< m^2, rad^2
+};
+
+/// The normal equations of one step:  H step = -g, and the cost at the configuration they were built at.
+template <class M, class S>
+struct Normal {
+  Mat<S, model::kDof<M>, model::kDof<M>> H;
+  Vec<S, model::kDof<M>> g;
+  S cost{};
+  S chi2{};  ///< the measurements' part without robust weights
+};
+
+template <class M, class S>
+struct Solution {
+  model::Configuration<M, S> q{};
+  Mat<S, model::kDof<M>, model::kDof<M>> covariance = Mat<S, model::kDof<M>, model::kDof<M>>::Identity();
+  Status status{Status::ill_conditioned};
+  bool converged{};
+  int iterations{};
+  S cost{};        ///< measurements (Huber) and prior, half squared standard deviations
+  S chi2{};        ///< sum of squared normalised distances, no weights, no prior
+  S error_norm{};  ///< ||e|| at the start
+};
+
+/// H = A^T W A + P^-1 and g = A^T W e + P^-1 (q - q_prior), with Huber weights of the 2-D distances inside W.
+template <class M, class S>
+Normal<M, S> normal_equations(const System<M, S>& system, const Vec<S, model::kDof<M>>& from_prior,
+                              const Vec<S, model::kDof<M>>& prior_variance) noexcept {
+  constexpr int kDof = model::kDof<M>;
+  Normal<M, S> normal;
+  const Vec<S, kDof> information = prior_variance.cwiseInverse();
+  normal.H = information.asDiagonal();
+  normal.g = information.cwiseProduct(from_prior);
+  normal.cost = S(0.5) * from_prior.dot(normal.g);
+  for (int i = 0; i < model::kNumMarkers<M>; ++i) {
+    if (!(system.variance[i] > S(0))) continue;
+    const S certainty = S(1) / system.variance[i];
+    const Vec<S, 2> e = system.e.template segment<2>(2 * i);
+    const S distance2 = e.squaredNorm() * certainty;
+    // k = 3: the 2-D distance of a good match exceeds it once in 90 (Rayleigh).
+    const S weight = math::huber_weight(distance2, S(3)) * certainty;
+    normal.cost += math::huber_loss(distance2, S(3));
+    normal.chi2 += distance2;
+    const Mat<S, 2, kDof> A_i = system.A.template middleRows<2>(2 * i);
+    for (int c = 0; c < kDof; ++c) {
+      const Vec<S, 2> column = A_i.col(c) * weight;
+      normal.g[c] += column.dot(e);
+      for (int r = c; r < kDof; ++r) normal.H(r, c) += column.dot(A_i.col(r));  // lower triangle
+    }
+  }
+  return normal;
+}
+
+/// Minimises  1/2 sum rho(|e_i|^2 / sigma_i^2) + 1/2 |q - q_prior|^2_P  by damped Gauss-Newton steps: (5) with lambda =
+/// 1 and the pseudo-inverse weighted, as Levenberg and Marquardt damp it when a step does not lower the cost. Errors
+/// behind_camera or ill_conditioned in Solution::status; q is then the start.
+template <class M, class S>
+Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, const model::Configuration<M, S>& start,
+                     int max_iterations) noexcept {
+  constexpr int kDof = model::kDof<M>;
+  // In standard deviations: such a step is lost in the noise. In float, rounding of s alone makes 2e-3 of 0.02 px.
+  constexpr S kStill = sizeof(S) == 4 ? S(1e-2) : S(1e-3);
+  constexpr S kRounding = sizeof(S) == 4 ? S(1e-4) : S(1e-10);  // relative noise of the cost
+  Solution<M, S> solution;
+  solution.q = start;
+  System<M, S> system;
+  solution.status = stack(matches, start, FeatureKind::imaged_circle, system);
+  if (solution.status != Status::ok) return solution;
+  solution.error_norm = system.e.norm();
+  auto normal = normal_equations(system, model::difference(prior.mean, start), prior.variance);
+
+  S damping{0};
+  math::Cholesky<S, kDof> cholesky;
+  while (solution.iterations < max_iterations && !solution.converged) {
+    ++solution.iterations;
+    Mat<S, kDof, kDof> damped = normal.H;
+    damped.diagonal() *= S(1) + damping;
+    if (cholesky.factorise(damped) != Status::ok) {
+      damping = damping > S(0) ? S(10) * damping : S(1e-3);
+      continue;
+    }
+    const Vec<S, kDof> step = -cholesky.solve(normal.g);
+    const auto trial_q = model::integrate<M, S>(solution.q, step);
+    System<M, S> trial_system;
+    if (stack(matches, trial_q, FeatureKind::imaged_circle, trial_system) == Status::ok) {
+      const auto trial = normal_equations(trial_system, model::difference(prior.mean, trial_q), prior.variance);
+      if (trial.cost <= normal.cost * (S(1) + kRounding)) {
+        solution.converged = -step.dot(normal.g) < kStill * kStill;  // step^T H step
+        solution.q = trial_q;
+        normal = trial;
+        damping = damping > S(1e-6) ? S(0.1) * damping : S(0);
+        continue;
+      }
+    }
+    damping = damping > S(0) ? S(10) * damping : S(1e-3);
+  }
+  solution.cost = normal.cost;
+  solution.chi2 = normal.chi2;
+  solution.status = cholesky.factorise(normal.H);
+  if (solution.status == Status::ok) solution.covariance = cholesky.inverse();
+  return solution;
+}
+
+}  // namespace articam::tracker

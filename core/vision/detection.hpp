@@ -1,0 +1,33 @@
+#pragma once
+/// @file  A mark seen in an image.
+
+#include <cstdint>
+
+#include "core/config.hpp"
+#include "core/fixed_vector.hpp"
+
+namespace articam::vision {
+
+enum class MarkKind : std::uint8_t { ring, dot_light_on_dark, dot_dark_on_light };
+
+/// Q16: value_px * 65536 in an int32.
+inline constexpr int kQ16 = 16;
+constexpr double from_q16(std::int32_t q) noexcept { return static_cast<double>(q) / 65536.0; }
+
+/// The ellipse { centre + M (cos t, sin t) }: M = | m00 0 ; m10 m11 |, lower triangular with a positive
+/// diagonal, so that M M^T is the ellipse's shape matrix. All Q16 px.
+struct Ellipse {
+  std::int32_t u_q16{}, v_q16{};
+  std::int32_t m00_q16{}, m10_q16{}, m11_q16{};
+};
+
+struct Detection {
+  MarkKind kind{};
+  Ellipse outer{};                      ///< outer edge of a ring, edge of a dot
+  Ellipse inner{};                      ///< inner edge of a ring; zero otherwise
+  std::uint32_t centre_variance_q16{};  ///< variance of u and of v of the outer centre, px^2, Q16
+};
+
+using Detections = FixedVector<Detection, kMaxDetections>;
+
+}  // namespace articam::vision

@@ -1,0 +1,51 @@
+#pragma once
+/// @file  Rings and dots in a grey frame: integers only, fixed capacity.
+
+#include <cstdint>
+#include <span>
+
+#include "core/status.hpp"
+#include "core/vision/bit_mask.hpp"
+#include "core/vision/detection.hpp"
+#include "core/vision/image_view.hpp"
+#include "core/vision/mark.hpp"
+#include "core/vision/threshold_map.hpp"
+
+namespace articam::vision {
+
+struct DetectorOptions {
+  bool rings{true};
+  bool dots_light_on_dark{false};
+  bool dots_dark_on_light{false};
+  std::int32_t ring_ratio_q16{26859};  ///< inner : outer diameter of the rings, 50:122 (WhyCon)
+};
+
+/// grey -> threshold map -> bit mask -> outlines -> rings and dots -> edges fitted on the grey levels.
+/// About 280 kB for the largest frame; holds no memory of earlier frames.
+class Detector {
+ public:
+  explicit Detector(const DetectorOptions& options = {}) noexcept : options_{options} {}
+
+  /// Every mark of the whole frame, in the order of its rows.
+  /// Errors  bad_argument when the view may not be read (see ImageView::ok); `out` is unchanged then.
+  Status detect(const ImageView& image, Detections& out) noexcept;
+
+  /// Only marks that lie wholly inside one of the windows, each of them once.
+  Status detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept;
+
+  /// The last frame had more edges, regions or marks than the fixed capacities hold.
+  bool overloaded() const noexcept { return overloaded_; }
+
+ private:
+  void search(const ImageView& image, const PixelBox& window, Detections& found) noexcept;
+  void search_row(const ImageView& image, Origin origin, int v, Colour colour, Detections& found) noexcept;
+  void inspect(const ImageView& image, Origin origin, const Region& region, Detections& found) noexcept;
+
+  DetectorOptions options_;
+  bool overloaded_{};
+  int row_budget_{};  ///< rows of outlines that may still be walked in this frame
+  ThresholdMap thresholds_;
+  BitMask mask_;
+};
+
+}  // namespace articam::vision
