@@ -1,0 +1,45 @@
+#pragma once
+/// @file  All models of this folder, as a list of types and by name.
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "static_models/mire/mire.hpp"
+#include "static_models/mire_distance/mire_distance.hpp"
+#include "static_models/printer_drawer/printer_drawer.hpp"
+
+namespace articam::models {
+
+template <class... M>
+struct TypeList {};
+
+using StaticModels = TypeList<PrinterDrawer, Mire, MireDistance>;
+
+namespace detail {
+
+template <class... M>
+constexpr std::array<std::string_view, sizeof...(M)> names(TypeList<M...>) noexcept {
+  return {M::kName...};
+}
+
+template <class Visitor, class... M>
+constexpr bool visit(TypeList<M...>, std::string_view name, Visitor&& visitor) {
+  return ((M::kName == name && (visitor.template operator()<M>(), true)) || ...);
+}
+
+}  // namespace detail
+
+/// The names that programs take: kName, which is the robot's name in the URDF and the folder's name here.
+inline constexpr auto kStaticModelNames = detail::names(StaticModels{});
+
+/// Calls `visitor.operator()<Model>()` for the model of that name; false when there is none.
+///
+///     int exit_code = 2;
+///     visit_model(name, [&]<class Model>() { exit_code = run<Model>(); });
+template <class Visitor>
+constexpr bool visit_model(std::string_view name, Visitor&& visitor) {
+  return detail::visit(StaticModels{}, name, std::forward<Visitor>(visitor));
+}
+
+}  // namespace articam::models

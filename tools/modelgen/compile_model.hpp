@@ -1,0 +1,29 @@
+#pragma once
+/// @file  Sources in, header out: the whole model compiler as one call.
+
+#include <optional>
+#include <string>
+
+#include "tools/modelgen/diagnostics.hpp"
+#include "tools/modelgen/model_options.hpp"
+#include "tools/modelgen/reduce.hpp"
+#include "tools/modelgen/source_file.hpp"
+
+namespace articam::modelgen {
+
+struct CompileJob {
+  SourceFile urdf;
+  std::optional<SourceFile> markers;
+  std::string type_name;  ///< CamelCase; the struct in articam::models
+  ModelOptions options;
+};
+
+struct CompiledModel {
+  Table table;
+  std::string header;
+};
+
+/// Nothing when the diagnostics hold an error.
+std::optional<CompiledModel> compile_model(const CompileJob& job, Diagnostics& diagnostics);
+
+}  // namespace articam::modelgen

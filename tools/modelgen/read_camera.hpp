@@ -1,0 +1,23 @@
+#pragma once
+/// @file  ROS calibration YAML -> CameraParameters.
+
+#include <optional>
+#include <string>
+
+#include "core/camera_parameters.hpp"
+#include "tools/modelgen/diagnostics.hpp"
+#include "tools/modelgen/source_file.hpp"
+
+namespace articam::modelgen {
+
+/// Keys  image_width, image_height, camera_matrix, distortion_model, distortion_coefficients; optional
+///       readout_time_s and T_base_cam. What ROS writes besides (rectification, projection) is not used: the
+///       estimator reads raw images.
+/// Errors  missing or malformed values, a skewed camera matrix, images larger than the build takes, a
+///         distortion model other than plumb_bob. All of them are told in one run.
+std::optional<CameraParameters> read_camera(const SourceFile& source, Diagnostics& diagnostics);
+
+/// The same from a path.
+std::optional<CameraParameters> read_camera(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace articam::modelgen

@@ -1,0 +1,111 @@
+#include "tools/modelgen/source_file.hpp"
+
+#include <fcntl.h>
+#include <sha256.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace articam::modelgen {
+namespace {
+
+/// Length of the well-formed UTF-8 sequence at the front, 0 if there is none (RFC 3629, section 4).
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+  const unsigned lead = byte(0), second = byte(1);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return tail(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool overlong = lead == 0xE0 && second < 0xA0, surrogate = lead == 0xED && second > 0x9F;
+    return tail(1) && tail(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool overlong = lead == 0xF0 && second < 0x90, beyond = lead == 0xF4 && second > 0x8F;
+    return tail(1) && tail(2) && tail(3) && !overlong && !beyond ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Offset of the first byte that is not text, or npos.
+std::size_t find_non_text(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto c = static_cast<unsigned char>(bytes[i]);
+    const std::size_t length = utf8_length(bytes.substr(i));
+    if (length == 0 || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) return i;
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
+bool write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string SourceFile::file_name() const { return std::filesystem::path(path).filename().string(); }
+
+int SourceFile::line_of(std::size_t offset) const {
+  return 1 + static_cast<int>(std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+}
+
+std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diagnostics) {
+  const auto refuse = [&](int line, const std::string& reason) {
+    diagnostics.error(path, line, "file", reason);
+    return std::nullopt;
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return refuse(0, "is a folder, not a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return refuse(0, std::string("cannot be opened: ") + std::strerror(errno));
+  SourceFile source{path, std::string(kMaxSourceBytes + 1, '\0')};
+  stream.read(source.bytes.data(), static_cast<std::streamsize>(source.bytes.size()));
+  source.bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) return refuse(0, "cannot be read");
+  if (source.bytes.empty()) return refuse(0, "is empty");
+  if (source.bytes.size() > kMaxSourceBytes) return refuse(0, "is larger than 1 MiB");
+  const std::size_t bad = find_non_text(source.bytes);
+  if (bad != std::string::npos) return refuse(source.line_of(bad), "is not UTF-8 text; save it in that encoding");
+  return source;
+}
+
+std::string sha256(std::string_view bytes) {
+  SHA256_CTX context;
+  SHA256Init(&context);
+  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
+  SHA256End(&context, text.data());
+  return text.data();
+}
+
+std::string write_whole_file(const std::string& path, std::string_view content) {
+  std::string temporary = path + ".XXXXXX";
+  const int file = ::mkstemp(temporary.data());
+  if (file < 0) return std::string("cannot be created: ") + std::strerror(errno);
+  const mode_t mask = ::umask(0);  // mkstemp gives 0600; a header is for everybody the user allows
+  ::umask(mask);
+  const bool written = ::fchmod(file, 0666 & ~mask) == 0 && write_all(file, content) && ::fsync(file) == 0;
+  int error = written ? 0 : errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return "";
+  ::unlink(temporary.c_str());
+  return std::string("cannot be written: ") + std::strerror(error);
+}
+
+}  // namespace articam::modelgen

@@ -1,0 +1,33 @@
+#pragma once
+/// @file  An input as bytes, with the hash that a generated header quotes; and a file written as a whole.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/modelgen/diagnostics.hpp"
+
+namespace articam::modelgen {
+
+struct SourceFile {
+  std::string path;  ///< as the user named it
+  std::string bytes;
+
+  std::string file_name() const;  ///< without its folders: says the same on every machine
+  int line_of(std::size_t offset) const;
+};
+
+inline constexpr std::size_t kMaxSourceBytes = 1u << 20;
+
+/// Errors  unreadable, empty, larger than kMaxSourceBytes, not UTF-8, or holding control characters.
+std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diagnostics);
+
+/// SHA-256 in 64 hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+/// Writes beside the target, then renames: the target is the old file or the new one, never half of one.
+/// Returns an empty text, or the reason why the target was left as it was.
+std::string write_whole_file(const std::string& path, std::string_view content);
+
+}  // namespace articam::modelgen
