@@ -1,0 +1,101 @@
+/// @file  articam-replay: the firmware's tracker over recorded frames.
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "hal/app/replay_job.hpp"
+#include "static_models/registry.hpp"
+#include "tools/modelgen/read_camera.hpp"
+
+namespace {
+
+using articam::app::ReplayOptions;
+
+constexpr const char* kExample = R"(
+Example
+  articam-replay mire --camera static_models/cameras/mire_384x288.yaml \
+      --frames /usr/share/visp-images-data/ViSP-images/mire-2 --max-frames 250 -o est.csv
+
+MODEL is a folder of static_models; --list names them. Frames are binary 8-bit PGM files, sorted by name; quote a
+pattern. q0 is where the search begins: base pose in the camera frame (x right, y down, z forward; m), quaternion
+w x y z, then the joints in the order that articam-probe MODEL prints.
+Exit codes: 0 done, 1 an input is refused or the job failed, 2 wrong usage.)";
+
+std::vector<std::filesystem::path> all_frames(const std::vector<std::string>& sources) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& source : sources) {
+    const auto found = articam::hal::find_frames(source);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "articam-replay: {}\n", message);
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Estimates an object's configuration from recorded camera frames, one CSV row a frame.",
+               "articam-replay"};
+  ReplayOptions options;
+  std::string model, camera_file;
+  std::vector<std::string> sources;
+  std::size_t max_frames = 0;
+  bool list = false;
+  app.footer(kExample);
+  app.set_version_flag("--version", "articam-replay " ARTICAM_VERSION);
+  auto* model_option = app.add_option("MODEL", model, "the object, a folder of static_models");
+  app.add_flag("--list", list, "name the models and stop");
+  auto* camera_option = app.add_option("--camera", camera_file, "ROS calibration YAML of the camera");
+  auto* frames_option = app.add_option("--frames", sources, "folder, pattern or files of PGM frames");
+  app.add_option("--max-frames", max_frames, "stop after so many frames (0: all)");
+  app.add_option("--fps", options.rate_hz, "frames per second")->capture_default_str()->check(CLI::Range(0.1, 10000.0));
+  app.add_option("--q0", options.q0, "'px py pz qw qx qy qz q1 q2 ...' (default: the model's own)");
+  app.add_option("--mode", options.mode, "default: iterated in every frame; paper: one step a frame")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, articam::tracker::Mode>{
+          {"default", articam::tracker::Mode::standard}, {"paper", articam::tracker::Mode::paper}}))
+      ->option_text("default|paper");
+  auto* output_option = app.add_option("-o,--output", options.output, "estimates.csv to write");
+  app.add_option("--overlay", options.overlay_folder, "also draw every frame with its marks into this folder (PNG)");
+  try {
+    app.parse(argc, argv);
+    if (!list) {
+      for (const auto* required : {model_option, camera_option, frames_option, output_option}) {
+        if (required->count() == 0) throw CLI::RequiredError(required->get_name());
+      }
+    }
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  if (list) {
+    for (const auto name : articam::models::kStaticModelNames) fmt::print("{}\n", name);
+    return 0;
+  }
+
+  articam::modelgen::Diagnostics diagnostics;
+  const auto camera = articam::modelgen::read_camera(camera_file, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.text());
+  if (!camera) return 1;
+  options.camera = *camera;
+  options.files = all_frames(sources);
+  if (options.files.empty()) return fail(fmt::format("no PGM frame found in {}", fmt::join(sources, " ")));
+  if (max_frames > 0 && options.files.size() > max_frames) options.files.resize(max_frames);
+  options.show_progress = ::isatty(STDERR_FILENO) != 0;
+
+  std::string problem;
+  const bool known =
+      articam::models::visit_model(model, [&]<class Model>() { problem = articam::app::replay<Model>(options); });
+  if (!known) {
+    fail(fmt::format("no model '{}'; known: {}", model, fmt::join(articam::models::kStaticModelNames, ", ")));
+    return 2;
+  }
+  return problem.empty() ? 0 : fail(problem);
+}
