@@ -1,0 +1,45 @@
+#pragma once
+/// @file  One simulated run as plain numbers: what the report is made from.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math/se3.hpp"
+#include "core/tracker/estimate.hpp"
+
+namespace articam::sim {
+
+/// Pose of {obj} in {cam}; joints in the model's order, m or rad.
+struct PlainConfiguration {
+  Pose<double> T_cam_obj;
+  std::vector<double> joints;
+};
+
+struct FrameRecord {
+  std::uint32_t frame{};
+  double t_s{};
+  PlainConfiguration truth;
+  std::vector<double> true_joint_rates;  ///< per second
+  tracker::TrackingStatus status{};
+  std::optional<PlainConfiguration> estimate;  ///< where valid
+  std::optional<PlainConfiguration> svd;       ///< the baseline, equation (7), where it saw enough rings
+  double error_norm{};                         ///< ||e||, metric image plane
+  double rms_px{};
+  std::optional<double> nees;  ///< squared error by the estimate's own covariance
+  double step_s{};             ///< time from image to estimate on this machine
+};
+
+struct RunRecord {
+  std::string scenario, mode;
+  std::uint64_t seed{};
+  double noise_grey{}, blur_px{};
+  double rest_s{};  ///< how long nothing moves at the start
+  int degrees_of_freedom{};
+  std::vector<std::string> joint_names;
+  std::vector<bool> joint_is_length;  ///< else an angle
+  std::vector<FrameRecord> frames;
+};
+
+}  // namespace articam::sim

@@ -1,0 +1,45 @@
+#pragma once
+/// @file  The experiment of the paper, with a ground truth.
+
+#include <string_view>
+
+#include "core/camera_parameters.hpp"
+#include "core/math/so3.hpp"
+#include "host_sim/world/drawer_motion.hpp"
+#include "host_sim/world/object_state.hpp"
+#include "static_models/printer_drawer/printer_drawer.hpp"
+
+namespace articam::sim {
+
+/// A printer stands before a VGA camera; its drawer rests for five seconds, then opens and closes.
+struct PaperScenario {
+  using Model = models::PrinterDrawer;
+  static constexpr std::string_view kName = "paper";
+  static constexpr std::string_view kSummary = "a printer's drawer rests, then opens and closes at up to 50 mm/s";
+  static constexpr double kDuration_s = 60;
+  static constexpr DrawerMotion kDrawer{};
+  static constexpr double kRest_s = kDrawer.rest_s;  ///< how long nothing moves at the start
+
+  static CameraParameters camera() noexcept {
+    CameraParameters camera;
+    camera.width_px = 640, camera.height_px = 480;
+    camera.fx_px = camera.fy_px = 525;
+    camera.cx_px = 319.5, camera.cy_px = 239.5;
+    return camera;
+  }
+
+  /// q2, the distance of the drawer's two markers, does not move: it is to be identified.
+  static ObjectState<Model> at(double t_s) noexcept {
+    constexpr double kDeg = 3.14159265358979323846 / 180;
+    ObjectState<Model> object;
+    object.q.T_cam_obj.t = {0.02, 0.08, 0.70};
+    object.q.T_cam_obj.R = math::exp_so3<double>({0, 0, 5 * kDeg}) * math::exp_so3<double>({0, -10 * kDeg, 0}) *
+                           math::exp_so3<double>({30 * kDeg, 0, 0});
+    const JointMotion drawer = kDrawer.at(t_s);
+    object.q.joints = {drawer.position, 0.12};
+    object.qdot[6] = drawer.velocity;
+    return object;
+  }
+};
+
+}  // namespace articam::sim
