@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# The same seed gives the same bytes: in two runs, and from two compilers.
+#   same_bits.sh BIN OTHER_BIN MODELS     folders of programs, and the folder static_models
+# Exit code 77 (skipped) when OTHER_BIN, the other compiler's, has not been built.
+set -euo pipefail
+bin=$1 other_bin=$2 models=$3
+if [ ! -x "$other_bin/articam-sim" ] || [ ! -x "$other_bin/articam-modelgen" ]; then
+  echo "skipped: $other_bin is not built; tools/test.sh builds it"
+  exit 77
+fi
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+"$bin/articam-sim" paper --duration 3 --out "$out/first" >"$out/log"
+"$bin/articam-sim" paper --duration 3 --out "$out/second" >"$out/log"
+"$other_bin/articam-sim" paper --duration 3 --out "$out/other" >"$out/log"
+for file in estimates.csv truth.csv; do
+  cmp "$out/first/$file" "$out/second/$file"
+  cmp "$out/first/$file" "$out/other/$file"
+done
+
+compared=0
+for header in "$models"/*/*.hpp; do
+  stem=${header%.hpp}
+  type=$(sed -n 's/^struct \([A-Za-z0-9]*\).*/\1/p' "$header")
+  for programs in "$bin" "$other_bin"; do
+    "$programs/articam-modelgen" --urdf "$stem.urdf" --markers "$stem.markers.yaml" --name "$type" -o "$out/model.hpp"
+    cmp "$header" "$out/model.hpp"
+  done
+  compared=$((compared + 1))
+done
+[ "$compared" -gt 0 ]

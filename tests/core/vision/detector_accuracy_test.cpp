@@ -1,0 +1,134 @@
+#include "core/vision/detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/core/vision/marker_scene.hpp"
+
+// Rendered rings of 5 cm, f = 525 px, blur 0.7 px, noise 4 grey levels, cluttered; errors against the true image
+// ellipse.
+namespace articam::vision {
+namespace {
+
+struct Cell {
+  model::MarkerKind kind;
+  double diameter_px, tilt_deg;
+  double light_gradient;
+  double max_rms_px;      ///< of the centre, 2-D
+  double max_axis_error;  ///< of the major axis's mean, relative
+  double min_found;
+};
+
+struct Outcome {
+  int shown{}, found{}, surplus{};
+  double squared_px2{}, normalised{}, major{};
+};
+
+void judge(const std::vector<sim::SceneMarker>& markers, const Detections& found, Outcome& outcome) {
+  int matched = 0;
+  for (const sim::SceneMarker& marker : markers) {
+    const test::TrueEllipse truth = test::imaged(marker, marker.outer_radius_m);
+    ++outcome.shown;
+    for (const Detection& mark : found) {
+      const test::TrueEllipse seen = test::measured(mark.outer);
+      const double squared = std::pow(seen.u_px - truth.u_px, 2) + std::pow(seen.v_px - truth.v_px, 2);
+      if (squared > 1) continue;
+      ++matched;
+      outcome.squared_px2 += squared;
+      outcome.normalised += squared / 2 / (mark.centre_variance_q16 / 65536.0);
+      outcome.major += seen.major_px / truth.major_px - 1;
+      break;
+    }
+  }
+  outcome.found += matched;
+  outcome.surplus += static_cast<int>(found.size()) - matched;
+}
+
+class DetectorAccuracy : public testing::TestWithParam<Cell> {};
+
+TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
+  const Cell cell = GetParam();
+  std::mt19937 random(7);
+  sim::Renderer renderer(test::kVga, {.light_gradient = cell.light_gradient});
+  DetectorOptions options;
+  options.rings = cell.kind == model::MarkerKind::ring;
+  options.dots_light_on_dark = cell.kind == model::MarkerKind::dot_light_on_dark;
+  options.dots_dark_on_light = cell.kind == model::MarkerKind::dot_dark_on_light;
+  const auto detector = std::make_unique<Detector>(options);
+  std::vector<std::uint8_t> pixels;
+  Outcome outcome;
+  for (std::uint64_t i_frame = 0; i_frame < 20; ++i_frame) {
+    const auto markers =
+        test::grid_of_markers(cell.kind, 3, 2, cell.diameter_px, cell.tilt_deg * std::numbers::pi / 180, random);
+    renderer.render(markers, i_frame, pixels);
+    Detections found;
+    ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
+    EXPECT_FALSE(detector->overloaded());
+    judge(markers, found, outcome);
+  }
+  ASSERT_GT(outcome.found, 0);
+  EXPECT_GE(outcome.found, cell.min_found * outcome.shown);
+  if (cell.kind == model::MarkerKind::ring) {
+    EXPECT_EQ(outcome.surplus, 0);  // the clutter holds discs, and annuli of other ratios
+  }
+  const double rms_px = std::sqrt(outcome.squared_px2 / outcome.found);
+  EXPECT_LT(rms_px, cell.max_rms_px);
+  EXPECT_LT(std::abs(outcome.major / outcome.found), cell.max_axis_error);
+  EXPECT_GT(outcome.normalised / outcome.found, 0.5);
+  EXPECT_LT(outcome.normalised / outcome.found, 2.0);
+}
+
+// Bounds are what was measured (over 150 marks) and a third: a worse fit is seen, another random draw is not.
+constexpr auto kRing = model::MarkerKind::ring, kLight = model::MarkerKind::dot_light_on_dark,
+               kDark = model::MarkerKind::dot_dark_on_light;
+// clang-format off
+INSTANTIATE_TEST_SUITE_P(Cells, DetectorAccuracy, testing::Values(
+  //   kind  diameter tilt light   rms   axis  found
+  Cell{kRing,  72,     0,   1,   0.021, 0.002, 1.00},
+  Cell{kRing,  31,     0,   1,   0.020, 0.002, 1.00},
+  Cell{kRing,  20,     0,   1,   0.020, 0.003, 0.99},
+  Cell{kRing,  15,     0,   1,   0.026, 0.005, 0.99},
+  Cell{kRing,  12,     0,   1,   0.031, 0.012, 0.97},
+  Cell{kRing,  31,    40,   1,   0.020, 0.002, 1.00},
+  Cell{kRing,  15,    40,   1,   0.028, 0.006, 0.99},
+  Cell{kRing,  31,    60,   1,   0.025, 0.003, 0.99},
+  Cell{kRing,  20,    60,   1,   0.033, 0.005, 0.99},
+  Cell{kRing,  15,    60,   1,   0.044, 0.014, 0.97},
+  Cell{kRing,  31,    30,   8,   0.045, 0.003, 0.99},
+  Cell{kLight, 31,    40,   1,   0.021, 0.003, 0.99},
+  Cell{kLight, 12,     0,   1,   0.034, 0.013, 0.98},
+  Cell{kDark,  31,    40,   1,   0.022, 0.003, 0.99},
+  Cell{kDark,  12,     0,   1,   0.034, 0.013, 0.98}),
+  [](const testing::TestParamInfo<Cell>& cell) { return "Cell" + std::to_string(cell.index); });
+// clang-format on
+
+TEST(DetectorAccuracy, HoldsForADotOfHalfTheFrameAndOneOfSevenPixels) {
+  std::mt19937 random(2);
+  sim::Renderer renderer(test::kVga, {.clutter = false});
+  std::vector<std::uint8_t> pixels;
+  const auto detector = std::make_unique<Detector>(
+      DetectorOptions{.rings = false, .dots_light_on_dark = true, .dots_dark_on_light = true});
+  for (const double diameter_px : {240.0, 7.0}) {
+    for (const auto kind : {kLight, kDark}) {
+      const auto markers = test::grid_of_markers(kind, 1, 1, diameter_px, 0.3, random);
+      renderer.render(markers, 0, pixels);
+      Detections found;
+      ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
+      const test::TrueEllipse truth = test::imaged(markers[0], test::kRadius_m);
+      bool there = false;
+      for (const Detection& mark : found) {
+        const test::TrueEllipse seen = test::measured(mark.outer);
+        there |= std::hypot(seen.u_px - truth.u_px, seen.v_px - truth.v_px) < 0.15;  // three sigma of the small dot
+      }
+      EXPECT_TRUE(there) << diameter_px;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace articam::vision

@@ -1,0 +1,123 @@
+/// @file  What every implementation of a port must do, whichever it is.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "hal/memory/manual_clock.hpp"
+#include "hal/memory/memory_camera.hpp"
+#include "hal/posix/monotonic_clock.hpp"
+#include "hal/replay/pgm_camera.hpp"
+#include "host_sim/ports/sim_camera.hpp"
+
+namespace articam {
+namespace {
+
+CameraParameters tiny_camera() {
+  CameraParameters p;
+  p.width_px = 16, p.height_px = 8, p.fx_px = p.fy_px = 20, p.cx_px = 7.5, p.cy_px = 3.5;
+  return p;
+}
+
+/// Each stage makes a camera that gives kFrames frames of 16 x 8 pixels, and knows how to make the next one come.
+constexpr std::uint32_t kFrames = 3;
+
+struct SimStage {
+  sim::SimClock clock;
+  sim::Renderer renderer{tiny_camera(), {}};
+  sim::SimCamera camera{
+      renderer, [](double) { return std::vector<sim::SceneMarker>{}; }, clock, {.num_frames = kFrames}};
+  void next(std::uint32_t) {}
+  static constexpr bool kEnds = true;
+};
+
+struct PgmStage {
+  PgmStage() {
+    std::filesystem::create_directories(folder);
+    const std::vector<std::uint8_t> grey(16 * 8, 100);
+    std::string why;
+    for (std::uint32_t i = 0; i < kFrames; ++i) {
+      EXPECT_EQ(hal::write_pgm(folder / (std::to_string(i) + ".pgm"), {grey.data(), 16, 8, 16}, why), Status::ok);
+    }
+    camera = std::make_unique<hal::PgmCamera>(hal::find_frames(folder.string()), 30);
+  }
+  ~PgmStage() { std::filesystem::remove_all(folder); }
+  std::filesystem::path folder = std::filesystem::path{testing::TempDir()} / "articam_contracts_test";
+  std::unique_ptr<hal::PgmCamera> camera;
+  void next(std::uint32_t) {}
+  static constexpr bool kEnds = true;
+};
+
+struct MemoryStage {
+  hal::MemoryCamera camera;
+  std::vector<std::uint8_t> grey = std::vector<std::uint8_t>(16 * 8, 100);
+  void next(std::uint32_t i) { camera.hand_over({{grey.data(), 16, 8, 16}, from_seconds(0.1 + i), i}); }
+  static constexpr bool kEnds = false;
+};
+
+auto& camera_of(auto& stage) {
+  if constexpr (requires { *stage.camera; })
+    return *stage.camera;
+  else
+    return stage.camera;
+}
+
+template <class Stage>
+class CameraContract : public testing::Test {};
+using Stages = testing::Types<SimStage, PgmStage, MemoryStage>;
+TYPED_TEST_SUITE(CameraContract, Stages);
+
+TYPED_TEST(CameraContract, LendsReadableFramesWithRisingNumbersAndStampsAndLeavesTheFrameAloneWithoutOne) {
+  using namespace std::chrono_literals;
+  TypeParam stage;
+  auto& camera = camera_of(stage);
+  ASSERT_EQ(camera.start(), Status::ok);
+  hal::Frame last;
+  for (std::uint32_t i = 0; i < kFrames; ++i) {
+    stage.next(i);
+    hal::Frame frame;
+    ASSERT_EQ(camera.acquire(frame, 1000ms), Status::ok);
+    ASSERT_TRUE(frame.pixels.ok());
+    EXPECT_EQ(frame.pixels.width_px, 16);
+    EXPECT_EQ(frame.pixels.height_px, 8);
+    unsigned sum = 0;
+    for (int v = 0; v < 8; ++v) {
+      for (int u = 0; u < 16; ++u) sum += frame.pixels.row(v)[u];
+    }
+    EXPECT_GT(sum, 0u);
+    if (i > 0) {
+      EXPECT_GT(frame.sequence, last.sequence);
+      EXPECT_GT(frame.t_exposure, last.t_exposure);
+    }
+    last = frame;
+    camera.release(frame);
+  }
+  hal::Frame untouched;
+  untouched.sequence = 77;
+  EXPECT_EQ(camera.acquire(untouched, 0ms), TypeParam::kEnds ? Status::end_of_stream : Status::timeout);
+  EXPECT_EQ(untouched.sequence, 77u);
+  EXPECT_EQ(untouched.pixels.data, nullptr);
+}
+
+template <class Clock>
+class ClockContract : public testing::Test {};
+using Clocks = testing::Types<hal::ManualClock, hal::MonotonicClock, sim::SimClock>;
+TYPED_TEST_SUITE(ClockContract, Clocks);
+
+TYPED_TEST(ClockContract, NeverGoesBack) {
+  TypeParam clock;
+  const auto wind = [&](double t_s) {
+    if constexpr (requires { clock.set(Timestamp{}); }) clock.set(from_seconds(t_s));
+    if constexpr (requires { clock.advance_to(Timestamp{}); }) clock.advance_to(from_seconds(t_s));
+  };
+  Timestamp last = clock.now();
+  for (const double t_s : {1.0, 2.0, 1.5, 0.0, 3.0}) {
+    wind(t_s);
+    EXPECT_GE(clock.now(), last);
+    last = clock.now();
+  }
+}
+
+}  // namespace
+}  // namespace articam

@@ -1,0 +1,100 @@
+#include "hal/run_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "hal/memory/latest_link.hpp"
+#include "hal/memory/manual_clock.hpp"
+#include "hal/memory/memory_camera.hpp"
+
+namespace articam {
+namespace {
+
+using hal::Tick;
+
+struct FakeEstimate {
+  std::uint32_t frame{};
+  Timestamp t_capture{};
+  bool coasted{};
+};
+
+/// Counts what the loop asks of a tracker.
+struct FakeTracker {
+  using EstimateType = FakeEstimate;
+  int steps{}, coasts{};
+  FakeEstimate step(const ImageView&, Timestamp t) noexcept { return ++steps, FakeEstimate{0, t, false}; }
+  FakeEstimate coast(Timestamp t) noexcept { return ++coasts, FakeEstimate{0, t, true}; }
+};
+
+struct BrokenLink {
+  Status publish(const FakeEstimate&) noexcept { return Status::io_error; }
+};
+
+class RunLoop : public testing::Test {
+ protected:
+  Tick show(std::uint32_t sequence, double t_s) {
+    camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(t_s), sequence});
+    return loop_.run_once();
+  }
+
+  std::uint8_t pixel_{};
+  hal::MemoryCamera camera_;
+  hal::ManualClock clock_;
+  hal::LatestLink<FakeEstimate> link_;
+  FakeTracker tracker_;
+  hal::RunLoop<hal::MemoryCamera, hal::ManualClock, hal::LatestLink<FakeEstimate>, FakeTracker> loop_{
+      camera_, clock_, link_, tracker_, std::chrono::milliseconds{40}};
+};
+
+TEST_F(RunLoop, GivesOneEstimateAFrameWithItsNumberAndCaptureTime) {
+  EXPECT_EQ(show(7, 1.5), Tick::estimated);
+  EXPECT_EQ(link_.published(), 1u);
+  EXPECT_EQ(link_.latest().frame, 7u);
+  EXPECT_EQ(link_.latest().t_capture, from_seconds(1.5));
+}
+
+TEST_F(RunLoop, RefusesDuplicatesAndFramesOutOfOrderWithoutTouchingTheTracker) {
+  (void)show(7, 1.5);
+  EXPECT_EQ(show(7, 1.6), Tick::refused);  // the same number
+  EXPECT_EQ(show(6, 1.6), Tick::refused);  // an older one
+  EXPECT_EQ(show(8, 1.5), Tick::refused);  // the same stamp
+  EXPECT_EQ(show(8, 1.4), Tick::refused);  // an older one
+  EXPECT_EQ(tracker_.steps, 1);
+  EXPECT_EQ(link_.published(), 1u);
+  EXPECT_EQ(loop_.counters().refused, 4u);
+  EXPECT_EQ(show(8, 1.6), Tick::estimated);
+}
+
+TEST_F(RunLoop, CountsTheFramesThatAGapInTheSequenceSwallowed) {
+  (void)show(7, 1.0);
+  EXPECT_EQ(show(11, 1.2), Tick::estimated);
+  EXPECT_EQ(loop_.counters().dropped, 3u);
+}
+
+TEST_F(RunLoop, GoesOnWhereTheSequenceWrapsRound) {
+  (void)show(0xffffffffu, 1.0);
+  EXPECT_EQ(show(1, 1.2), Tick::estimated);
+  EXPECT_EQ(loop_.counters().dropped, 1u);
+}
+
+TEST_F(RunLoop, SpeaksAlsoWhenTheCameraIsSilent) {
+  (void)show(7, 1.0);
+  clock_.set(from_seconds(1.1));
+  EXPECT_EQ(loop_.run_once(), Tick::coasted);
+  EXPECT_TRUE(link_.latest().coasted);
+  EXPECT_EQ(link_.latest().frame, 7u);
+  EXPECT_EQ(link_.latest().t_capture, from_seconds(1.1));
+  EXPECT_EQ(loop_.counters().timeouts, 1u);
+}
+
+TEST_F(RunLoop, ReportsALinkThatFails) {
+  BrokenLink broken;
+  hal::RunLoop loop{camera_, clock_, broken, tracker_, std::chrono::milliseconds{40}};
+  camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(1), 0});
+  EXPECT_EQ(loop.run_once(), Tick::failed);
+  EXPECT_EQ(loop.counters().link_errors, 1u);
+}
+
+}  // namespace
+}  // namespace articam

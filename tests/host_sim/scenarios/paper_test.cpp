@@ -1,0 +1,73 @@
+#include "host_sim/scenarios/paper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "hal/firmware.hpp"
+#include "hal/run_loop.hpp"
+#include "host_sim/ports/recording_link.hpp"
+#include "host_sim/ports/sim_camera.hpp"
+#include "host_sim/report/metrics.hpp"
+
+namespace articam::sim {
+namespace {
+
+using Model = PaperScenario::Model;
+using Tracker = tracker::Tracker<Model, double>;
+
+RunRecord run(tracker::Mode mode, std::uint32_t num_frames) {
+  Renderer renderer{PaperScenario::camera(), {}};
+  SimClock clock;
+  SimCamera camera{renderer,
+                   [](double t_s) { return scene_markers<Model>(PaperScenario::at(t_s).q); },
+                   clock,
+                   {.num_frames = num_frames}};
+  tracker::Options options;
+  options.mode = mode;
+  const auto tracker = std::make_unique<Tracker>(PaperScenario::camera(), options);
+  RunRecord record;
+  record.rest_s = PaperScenario::kRest_s;
+  record.joint_names = {"drawer_slide", "marker_distance"};
+  record.joint_is_length = {true, true};
+  RecordingLink<PaperScenario, Tracker> link{*tracker, record};
+  hal::RunLoop loop{camera, clock, link, *tracker, std::chrono::milliseconds{50}};
+  EXPECT_EQ(loop.start(), Status::ok);
+  while (loop.run_once() != hal::Tick::ended) {
+  }
+  return record;
+}
+
+TEST(PaperScenario, HasTheVelocityOfItsNumericDerivative) {
+  constexpr double kStep_s = 1e-5;
+  for (double t_s = 4; t_s < 12; t_s += 0.05) {
+    const auto step = model::difference(PaperScenario::at(t_s - kStep_s).q, PaperScenario::at(t_s + kStep_s).q);
+    EXPECT_LT((step / (2 * kStep_s) - PaperScenario::at(t_s).qdot).norm(), 1e-9) << "t = " << t_s;
+  }
+}
+
+TEST(PaperScenario, IsTrackedWithinHalfAMillimetreFromThePapersStart) {
+  const Metrics metrics = evaluate(run(tracker::Mode::standard, 90));
+  EXPECT_EQ(metrics.evaluated, 60);
+  EXPECT_LT(metrics.joints[0].rms, 0.5);
+  EXPECT_LT(metrics.joints[1].rms, 0.5);
+}
+
+TEST(PaperScenario, ConvergesBetweenItsTwoGainsInThePapersMode) {
+  const Metrics metrics = evaluate(run(tracker::Mode::paper, 90));
+  ASSERT_TRUE(metrics.decay_rate_per_s);
+  EXPECT_GT(metrics.decay_rate_per_s->value, tracker::GainProfile{}.at_infinity);
+  EXPECT_LT(metrics.decay_rate_per_s->value, tracker::GainProfile{}.at_zero);
+}
+
+TEST(PaperScenario, GivesTheSameEstimatesTwice) {
+  const RunRecord one = run(tracker::Mode::standard, 20), two = run(tracker::Mode::standard, 20);
+  for (std::size_t i = 0; i < one.frames.size(); ++i) {
+    ASSERT_TRUE(one.frames[i].estimate && two.frames[i].estimate);
+    EXPECT_EQ(one.frames[i].estimate->joints, two.frames[i].estimate->joints);
+    EXPECT_EQ(one.frames[i].estimate->T_cam_obj.t, two.frames[i].estimate->T_cam_obj.t);
+  }
+}
+
+}  // namespace
+}  // namespace articam::sim

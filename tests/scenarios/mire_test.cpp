@@ -1,0 +1,118 @@
+/// @file  Real frames: a hand-moved plate with four light dots, from Debian's visp-images-data.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "hal/firmware.hpp"
+#include "hal/replay/pgm_camera.hpp"
+#include "tools/modelgen/read_camera.hpp"
+
+namespace articam {
+namespace {
+
+const std::filesystem::path kFrames = "/usr/share/visp-images-data/ViSP-images/mire-2";
+constexpr std::size_t kNumFrames = 250;
+
+/// Follows the dots with nothing of ours: a fixed threshold in a window around each dot's last place, the connected
+/// component there, its centre of mass. Who is who follows from continuity alone.
+class IndependentDots {
+ public:
+  std::array<cv::Point2d, 4> find(const hal::GreyImage& image) {
+    const cv::Mat frame(image.height_px, image.width_px, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+    for (auto& place : places_) place = centre_of_blob(frame, place);
+    return places_;
+  }
+
+ private:
+  static cv::Point2d centre_of_blob(const cv::Mat& frame, cv::Point2d last) {
+    const int reach = 40;  // between frames 200 and 201 the recording jumps by 16 px
+    const cv::Rect window = cv::Rect(cvRound(last.x) - reach, cvRound(last.y) - reach, 2 * reach + 1, 2 * reach + 1) &
+                            cv::Rect(0, 0, frame.cols, frame.rows);
+    cv::Mat binary, labels, stats, centres;
+    cv::threshold(frame(window), binary, 170, 255, cv::THRESH_BINARY);  // the dots are near white, the plate near black
+    const int n = cv::connectedComponentsWithStats(binary, labels, stats, centres);
+    cv::Point2d best = last;
+    double nearest = 1e9;
+    for (int i = 1; i < n; ++i) {
+      if (const int area = stats.at<int>(i, cv::CC_STAT_AREA); area < 40 || area > 450) continue;
+      const cv::Point2d centre{centres.at<double>(i, 0) + window.x, centres.at<double>(i, 1) + window.y};
+      const double distance = cv::norm(centre - last);
+      if (distance < nearest) nearest = distance, best = centre;
+    }
+    return best;
+  }
+
+  std::array<cv::Point2d, 4> places_{{{93, 265}, {242, 248}, {215, 166}, {85, 178}}};  // read off the first frame
+};
+
+struct Replayed {
+  int tracked_of_first_200{}, tracked_of_last_50{};
+  double median_rms_px{};
+  double worst_distance_px{};  ///< prediction to independent detection, over all dots and frames
+  double median_joint{};
+};
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+template <class Model>
+Replayed replay() {
+  modelgen::Diagnostics diagnostics;
+  const auto camera_file = modelgen::read_camera(ARTICAM_CAMERAS "/mire_384x288.yaml", diagnostics);
+  EXPECT_TRUE(camera_file) << diagnostics.text();
+  tracker::Tracker<Model, double> tracker{*camera_file};
+  auto files = hal::find_frames(kFrames.string());
+  files.resize(kNumFrames);
+  hal::PgmCamera camera{files, 30};
+  IndependentDots independent;
+  Replayed result;
+  std::vector<double> rms_px, joint;
+  for (std::size_t k = 0; k < kNumFrames; ++k) {
+    hal::Frame frame;
+    EXPECT_EQ(camera.acquire(frame, {}), Status::ok) << camera.problem();
+    const auto estimate = tracker.step(frame.pixels, frame.t_exposure);
+    const bool tracked = estimate.status == tracker::TrackingStatus::tracking;
+    (k < 200 ? result.tracked_of_first_200 : result.tracked_of_last_50) += tracked ? 1 : 0;
+    const auto dots = independent.find(camera.image());
+    const auto features = tracker::predict_features<Model, double>(estimate.q, tracker.camera());
+    for (std::size_t i = 0; i < 4 && tracked; ++i) {
+      const double distance = (features[i].pixel - Vec<double, 2>{dots[i].x, dots[i].y}).norm();
+      result.worst_distance_px = std::max(result.worst_distance_px, distance);
+    }
+    rms_px.push_back(estimate.rms_px);
+    if constexpr (model::kNumJoints < Model >> 0) joint.push_back(estimate.q.joints[0]);
+  }
+  result.median_rms_px = median(rms_px);
+  if (!joint.empty()) result.median_joint = median(joint);
+  return result;
+}
+
+TEST(Mire, IsTrackedOnRealFramesWithEveryDotWhereAnIndependentMethodFindsIt) {
+  if (!std::filesystem::exists(kFrames)) GTEST_SKIP() << "needs the package visp-images-data";
+  const auto result = replay<models::Mire>();
+  EXPECT_EQ(result.tracked_of_first_200, 200);
+  EXPECT_GE(result.tracked_of_last_50, 49);
+  EXPECT_LE(result.median_rms_px, 0.5);
+  // The dots are 100 px apart: no frame within this bound can have two of them swapped.
+  EXPECT_LE(result.worst_distance_px, 1.5);
+  RecordProperty("worst_distance_px", std::to_string(result.worst_distance_px));
+}
+
+TEST(MireDistance, IdentifiesTheSpacingOfTwoDotsByAVirtualJoint) {
+  if (!std::filesystem::exists(kFrames)) GTEST_SKIP() << "needs the package visp-images-data";
+  const auto result = replay<models::MireDistance>();
+  EXPECT_EQ(result.tracked_of_first_200, 200);
+  EXPECT_LE(result.worst_distance_px, 1.5);
+  EXPECT_NEAR(result.median_joint, 0.14, 0.02 * 0.14);
+}
+
+}  // namespace
+}  // namespace articam

@@ -1,0 +1,77 @@
+#include "tools/modelgen/read_camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace articam::modelgen {
+namespace {
+
+const std::string kCamera =
+    "image_width: 640\nimage_height: 480\n"
+    "camera_matrix: {rows: 3, cols: 3, data: [525, 0, 319.5, 0, 524, 239.5, 0, 0, 1]}\n"
+    "distortion_model: plumb_bob\n"
+    "distortion_coefficients: {rows: 1, cols: 5, data: [.1, .2, .3, .4, .5]}\n";
+
+std::string edited(std::string from, const std::string& to) {
+  std::string text = kCamera;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string messages(const std::string& yaml) {
+  Diagnostics diagnostics;
+  const auto camera = read_camera(SourceFile{"c.yaml", yaml}, diagnostics);
+  EXPECT_EQ(camera.has_value(), !diagnostics.has_errors());
+  return diagnostics.text();
+}
+
+TEST(ReadCamera, KeepsEveryNumber) {
+  Diagnostics diagnostics;
+  const auto camera = read_camera(SourceFile{"c.yaml", kCamera + "readout_time_s: 0.02\n"
+                                                                 "T_base_cam: {position: [1, 2, 3], "
+                                                                 "quaternion_wxyz: [0.8, 0, 0.6, 0]}\n"},
+                                  diagnostics);
+  ASSERT_TRUE(camera) << diagnostics.text();
+  EXPECT_EQ(camera->width_px, 640);
+  EXPECT_EQ(camera->height_px, 480);
+  EXPECT_EQ((std::array{camera->fx_px, camera->fy_px, camera->cx_px, camera->cy_px}),
+            (std::array{525.0, 524.0, 319.5, 239.5}));
+  EXPECT_EQ(camera->distortion, (std::array{.1, .2, .3, .4, .5}));
+  EXPECT_EQ(camera->readout_time_s, 0.02);
+  EXPECT_EQ(camera->t_base_cam_m, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_NEAR(camera->r_base_cam_wxyz[2], 0.6, 1e-15);  // divided by its norm: one rounding
+}
+
+TEST(ReadCamera, RefusesDistortionModelsThatItWouldDrop) {
+  for (const std::string model : {"rational_polynomial", "equidistant"}) {
+    EXPECT_EQ(messages(edited("plumb_bob", model)),
+              "c.yaml:4: distortion_model: '" + model + "' is not supported yet; calibrate again with plumb_bob\n");
+  }
+  EXPECT_EQ(messages(edited("plumb_bob", "magic")), "c.yaml:4: distortion_model: 'magic' is not known\n");
+}
+
+TEST(ReadCamera, TellsTheLineAndTheKeyOfWhatIsWrong) {
+  EXPECT_EQ(messages(edited("525, 0", "525, 1")), "c.yaml:3: camera_matrix: is not (fx 0 cx, 0 fy cy, 0 0 1)\n");
+  EXPECT_EQ(messages(edited("524", "-524")), "c.yaml:3: camera_matrix: has a focal length that is not positive\n");
+  EXPECT_EQ(messages(edited(".4, .5", ".4")), "c.yaml:5: distortion_coefficients data: has 4 numbers instead of 5\n");
+  EXPECT_EQ(messages(edited("rows: 1", "rows: 2")), "c.yaml:5: distortion_coefficients rows: is not 1\n");
+  EXPECT_EQ(messages(edited("640", "640.5")), "c.yaml:1: image_width: 640.5 is not a whole number of pixels\n");
+  EXPECT_EQ(messages(edited("640", "4000")),
+            "c.yaml:1: image_width: 4000 exceeds 1280, the largest this build takes\n");
+  EXPECT_EQ(messages(edited("525", ".nan")), "c.yaml:3: camera_matrix data: '.nan' is not a finite number\n");
+  EXPECT_EQ(messages(kCamera + "readout_time_s: -1\n"), "c.yaml:6: readout_time_s: is not between 0 and 1 s\n");
+  EXPECT_EQ(messages(kCamera + "T_base_cam: {position: [0, 0, 0], quaternion_wxyz: [1, 1, 0, 0]}\n"),
+            "c.yaml:6: T_base_cam quaternion_wxyz: has norm 1.41421, not 1\n");
+  EXPECT_EQ(messages(kCamera + "readout_time: 1\n"), "c.yaml:6: readout_time: warning: unknown key, ignored\n");
+}
+
+TEST(ReadCamera, TellsAllErrorsInOneRun) {
+  EXPECT_EQ(messages("image_width: 0\n"),
+            "c.yaml:1: image_width: 0 is not a whole number of pixels\n"
+            "c.yaml:1: image_height: is missing\n"
+            "c.yaml:1: camera_matrix: is missing\n"
+            "c.yaml:1: distortion_model: is missing\n");
+}
+
+}  // namespace
+}  // namespace articam::modelgen

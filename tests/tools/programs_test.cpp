@@ -1,0 +1,146 @@
+// The programs from outside: what they print, what they write, how they end.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/support/run_program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using articam::test::Ended;
+using articam::test::run;
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const std::string kDoor =
+    "<robot name='kitchen door'><link name='frame'/><link name='door'/>"
+    "<joint name='hinge\xC3\xA9' type='revolute'><parent link='frame'/><child link='door'/>"
+    "<origin xyz='.25 .5 0' rpy='1 2 3'/><axis xyz='0 1 1'/><limit lower='-.5' upper='1.57'/></joint></robot>\n";
+
+class ModelgenProgram : public testing::Test {
+ protected:
+  ModelgenProgram() { fs::create_directories(folder_); }
+  ~ModelgenProgram() override { fs::remove_all(folder_); }
+
+  /// Compiles a text, with further arguments.
+  Ended compile(const std::string& urdf, const std::string& rest = "", const std::string& before = "") const {
+    std::ofstream(folder_ / "m.urdf", std::ios::binary) << urdf;
+    return run("cd " + folder_.string() + " && " + before + ARTICAM_MODELGEN + " --urdf m.urdf --name Door -o m.hpp " +
+               rest);
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(ModelgenProgram, WritesTheSameBytesTwiceAndInAnyLocale) {
+  ASSERT_EQ(compile(kDoor).exit_code, 0);
+  const std::string first = read(folder_ / "m.hpp");
+  EXPECT_NE(first, "");
+  ASSERT_EQ(compile(kDoor, "", "LC_ALL=de_DE.UTF-8 ").exit_code, 0);
+  EXPECT_EQ(read(folder_ / "m.hpp"), first);
+}
+
+TEST_F(ModelgenProgram, WritesAHeaderThatEveryCompilerTakesAloneWithoutAWarning) {
+  int compilers = 0;
+  for (const char* rest : {"", "--poi p=door:0,0,1", "--root door --freeze hinge\xC3\xA9=0.5 --poi p=frame:0,0,1"}) {
+    ASSERT_EQ(compile(kDoor, rest).exit_code, 0);
+    for (const std::string compiler : {"g++", "clang++", "clang++-14"}) {
+      if (run("command -v " + compiler).exit_code != 0) continue;
+      ++compilers;
+      const Ended ended = run("echo '#include \"m.hpp\"' | " + compiler +
+                              " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fsyntax-only"
+                              " -I " ARTICAM_SOURCE_DIR " -I " +
+                              folder_.string() + " -x c++ -");
+      EXPECT_EQ(ended.exit_code, 0) << compiler << ' ' << rest << '\n' << ended.text;
+    }
+  }
+  if (compilers == 0) GTEST_SKIP() << "no compiler on the path";
+}
+
+TEST_F(ModelgenProgram, WritesNothingWhenTheInputIsRefused) {
+  std::ofstream(folder_ / "m.hpp") << "old";
+  const Ended ended = compile("<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_EQ(ended.text.substr(0, 19), "m.urdf:3: link 'a':");
+  EXPECT_EQ(read(folder_ / "m.hpp"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "a temporary file stayed behind";
+}
+
+TEST_F(ModelgenProgram, TellsWhyItCannotReadOrWrite) {
+  EXPECT_EQ(compile(kDoor, "--markers absent.yaml").text,
+            "absent.yaml: file: cannot be opened: No such file or directory\n");
+  const Ended ended = compile(kDoor, "; " ARTICAM_MODELGEN " --urdf m.urdf --name Door -o absent/m.hpp");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_NE(ended.text.find("absent/m.hpp: output: cannot be created: No such file"), std::string::npos) << ended.text;
+}
+
+TEST_F(ModelgenProgram, EndsWithTwoOnWrongUsage) {
+  for (const char* rest : {"--name other", "--report r.html", "--freeze hinge", "--freeze hinge=x", "--poi p=door",
+                           "--poi p=door:1,2", "--poi =door:1,2,3", "--poi 'p=door:1, 2,3'", "--unknown", "extra"}) {
+    EXPECT_EQ(compile(kDoor, rest).exit_code, 2) << rest;
+  }
+  EXPECT_EQ(run(ARTICAM_MODELGEN).exit_code, 2);
+  std::ofstream(folder_ / "m.urdf") << kDoor;
+  EXPECT_EQ(run("cd " + folder_.string() + " && " ARTICAM_MODELGEN " --urdf m.urdf --name Door -o ./m.urdf").exit_code,
+            2);
+  EXPECT_EQ(read(folder_ / "m.urdf"), kDoor);
+}
+
+TEST_F(ModelgenProgram, RefusesHostileFilesWithin64Mebibytes) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer reserves more than that for itself";
+#endif
+  std::string deep, wide, thorny;
+  while (deep.size() < 1'000'000) deep += "<a>";
+  while (wide.size() < 1'000'000) wide += "<joint/>";
+  while (thorny.size() < 1'000'000) thorny += " a" + std::to_string(thorny.size()) + "=''";
+  const std::string entities = "<!DOCTYPE r [<!ENTITY a '&b;&b;'><!ENTITY b 'lol'>]><robot name='&a;'/>";
+  for (const std::string& text : {"<robot name='r'>" + deep, "<robot name='r'>" + wide + "</robot>",
+                                  "<robot" + thorny + "/>", entities, std::string(3'000'000, ' ')}) {
+    const Ended ended = compile(text, "", "ulimit -v 65536; ");
+    EXPECT_EQ(ended.exit_code, 1) << ended.text;
+    EXPECT_FALSE(fs::exists(folder_ / "m.hpp"));
+  }
+}
+
+TEST(Programs, TeachWithHelpAndTellTheirVersion) {
+  for (const std::string program : {ARTICAM_MODELGEN, ARTICAM_PROBE}) {
+    const Ended help = run(program + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.text.find("Example"), std::string::npos);
+    EXPECT_NE(help.text.find("Exit codes"), std::string::npos);
+    EXPECT_EQ(run(program + " --version").exit_code, 0);
+  }
+}
+
+TEST(ProbeProgram, AnswersOneBlockALine) {
+  EXPECT_EQ(run("printf '\\n\\n' | " ARTICAM_PROBE " mire | grep -c '^end$'").text, "2\n");
+  EXPECT_EQ(run("echo 0.08 0.12 | " ARTICAM_PROBE " printer_drawer | head -1").text,
+            "joints drawer_slide marker_distance\n");
+  EXPECT_EQ(run("printf '' | " ARTICAM_PROBE " mire").text, "joints\n");
+}
+
+TEST(ProbeProgram, RefusesALineThatIsNotASetOfJointValues) {
+  for (const char* line : {"", "1", "1 2 3", "1 x", "1 nan", "1,2"}) {
+    const Ended ended = run(std::string("echo '") + line + "' | " ARTICAM_PROBE " printer_drawer");
+    EXPECT_EQ(ended.exit_code, 1) << line;
+    EXPECT_NE(ended.text.find("stdin:1: joints: expected 2 finite numbers"), std::string::npos) << ended.text;
+  }
+}
+
+TEST(ProbeProgram, EndsWithTwoOnAModelThatIsNotThere) {
+  EXPECT_EQ(run(ARTICAM_PROBE " absent < /dev/null").exit_code, 2);
+  EXPECT_EQ(run(ARTICAM_PROBE " < /dev/null").exit_code, 2);
+  EXPECT_EQ(run(ARTICAM_PROBE " --list").text, "printer_drawer\nmire\nmire_distance\n");
+}
+
+}  // namespace
