@@ -24,7 +24,7 @@ struct Options {
   GainProfile gain{};
   bool feed_forward{false};  ///< s_star_dot of (5); the paper switches it off as too noisy
 
-  double floor_px{0.02};     ///< added to every detection's standard deviation: print, model and lens are not perfect
+  double floor_px{0.005};    ///< least standard deviation of a detection; what the model misses beyond it, frames teach
   double max_rms_px{1.5};    ///< a larger residual is no estimate
   double coast_time_s{0.5};  ///< a prediction is worth this long; then lost
   double max_gap_s{1.0};     ///< a longer gap between frames is not integrated

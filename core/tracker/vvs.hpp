@@ -20,7 +20,8 @@ struct Normal {
   Mat<S, model::kDof<M>, model::kDof<M>> H;
   Vec<S, model::kDof<M>> g;
   S cost{};
-  S chi2{};  ///< the measurements' part without robust weights
+  S chi2{};        ///< the measurements' part without robust weights
+  S error_norm{};  ///< ||e||, metric image plane
 };
 
 template <class M, class S>
@@ -41,6 +42,7 @@ Normal<M, S> normal_equations(const System<M, S>& system, const Vec<S, model::kD
                               const Vec<S, model::kDof<M>>& prior_variance) noexcept {
   constexpr int kDof = model::kDof<M>;
   Normal<M, S> normal;
+  normal.error_norm = system.e.norm();
   const Vec<S, kDof> information = prior_variance.cwiseInverse();
   normal.H = information.asDiagonal();
   normal.g = information.cwiseProduct(from_prior);
@@ -64,51 +66,62 @@ Normal<M, S> normal_equations(const System<M, S>& system, const Vec<S, model::kD
   return normal;
 }
 
-/// Minimises  1/2 sum rho(|e_i|^2 / sigma_i^2) + 1/2 |q - q_prior|^2_P  by damped Gauss-Newton steps: (5) with lambda =
-/// 1 and the pseudo-inverse weighted, as Levenberg and Marquardt damp it when a step does not lower the cost. Errors
-/// behind_camera or ill_conditioned in Solution::status; q is then the start.
+/// The equations of one step at q. Errors  behind_camera; `normal` is then unchanged.
+template <class M, class S>
+Status linearise(const Matches<M, S>& matches, const Prior<M, S>& prior, const model::Configuration<M, S>& q,
+                 Normal<M, S>& normal) noexcept {
+  System<M, S> system;
+  if (const Status status = stack(matches, q, FeatureKind::imaged_circle, system); status != Status::ok) return status;
+  normal = normal_equations(system, model::difference(prior.mean, q), prior.variance);
+  return Status::ok;
+}
+
+/// The Gauss-Newton step, its diagonal raised by the damping (Levenberg, Marquardt): (5) with lambda = 1 and the
+/// pseudo-inverse weighted. Errors  ill_conditioned; `step` is then unchanged.
+template <class M, class S>
+Status damped_step(const Normal<M, S>& normal, S damping, Vec<S, model::kDof<M>>& step) noexcept {
+  Mat<S, model::kDof<M>, model::kDof<M>> damped = normal.H;
+  damped.diagonal() *= S(1) + damping;
+  math::Cholesky<S, model::kDof<M>> cholesky;
+  if (const Status status = cholesky.factorise(damped); status != Status::ok) return status;
+  step = -cholesky.solve(normal.g);
+  return Status::ok;
+}
+
+/// Minimises  1/2 sum rho(|e_i|^2 / sigma_i^2) + 1/2 |q - q_prior|^2_P  by damped steps, each kept only if it does not
+/// raise the cost. Errors  behind_camera or ill_conditioned in Solution::status; q is then the start.
 template <class M, class S>
 Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, const model::Configuration<M, S>& start,
                      int max_iterations) noexcept {
-  constexpr int kDof = model::kDof<M>;
-  // In standard deviations: such a step is lost in the noise. In float, rounding of s alone makes 2e-3 of 0.02 px.
-  constexpr S kStill = sizeof(S) == 4 ? S(1e-2) : S(1e-3);
+  // In standard deviations: such a step is lost in the noise. In float, rounding of s alone makes 6e-3 of 0.005 px.
+  constexpr S kStill = sizeof(S) == 4 ? S(3e-2) : S(1e-3);
   constexpr S kRounding = sizeof(S) == 4 ? S(1e-4) : S(1e-10);  // relative noise of the cost
   Solution<M, S> solution;
   solution.q = start;
-  System<M, S> system;
-  solution.status = stack(matches, start, FeatureKind::imaged_circle, system);
+  Normal<M, S> normal, trial;
+  solution.status = linearise(matches, prior, start, normal);
   if (solution.status != Status::ok) return solution;
-  solution.error_norm = system.e.norm();
-  auto normal = normal_equations(system, model::difference(prior.mean, start), prior.variance);
+  solution.error_norm = normal.error_norm;
 
   S damping{0};
-  math::Cholesky<S, kDof> cholesky;
   while (solution.iterations < max_iterations && !solution.converged) {
     ++solution.iterations;
-    Mat<S, kDof, kDof> damped = normal.H;
-    damped.diagonal() *= S(1) + damping;
-    if (cholesky.factorise(damped) != Status::ok) {
-      damping = damping > S(0) ? S(10) * damping : S(1e-3);
-      continue;
-    }
-    const Vec<S, kDof> step = -cholesky.solve(normal.g);
-    const auto trial_q = model::integrate<M, S>(solution.q, step);
-    System<M, S> trial_system;
-    if (stack(matches, trial_q, FeatureKind::imaged_circle, trial_system) == Status::ok) {
-      const auto trial = normal_equations(trial_system, model::difference(prior.mean, trial_q), prior.variance);
-      if (trial.cost <= normal.cost * (S(1) + kRounding)) {
+    Vec<S, model::kDof<M>> step;
+    bool better = false;
+    if (damped_step<M, S>(normal, damping, step) == Status::ok) {
+      const auto q = model::integrate<M, S>(solution.q, step);
+      better = linearise(matches, prior, q, trial) == Status::ok && trial.cost <= normal.cost * (S(1) + kRounding);
+      if (better) {
         solution.converged = -step.dot(normal.g) < kStill * kStill;  // step^T H step
-        solution.q = trial_q;
+        solution.q = q;
         normal = trial;
-        damping = damping > S(1e-6) ? S(0.1) * damping : S(0);
-        continue;
       }
     }
-    damping = damping > S(0) ? S(10) * damping : S(1e-3);
+    damping = better ? (damping > S(1e-6) ? S(0.1) * damping : S(0)) : (damping > S(0) ? S(10) * damping : S(1e-3));
   }
   solution.cost = normal.cost;
   solution.chi2 = normal.chi2;
+  math::Cholesky<S, model::kDof<M>> cholesky;
   solution.status = cholesky.factorise(normal.H);
   if (solution.status == Status::ok) solution.covariance = cholesky.inverse();
   return solution;

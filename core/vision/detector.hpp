@@ -21,7 +21,7 @@ struct DetectorOptions {
 };
 
 /// grey -> threshold map -> bit mask -> outlines -> rings and dots -> edges fitted on the grey levels.
-/// About 280 kB for the largest frame; holds no memory of earlier frames.
+/// About 250 kB at the largest frame of config.hpp; remembers nothing of earlier frames.
 class Detector {
  public:
   explicit Detector(const DetectorOptions& options = {}) noexcept : options_{options} {}

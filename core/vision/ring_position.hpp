@@ -9,25 +9,29 @@
 
 namespace articam::vision {
 
-/// Position of the mark's centre in {cam}, m. The major axis of the image is hardly shortened by tilt, so
-/// Z = radius / semi-major axis on the metric plane; the centre of the ellipse gives the direction.
-/// Bias  of second order in (radius / Z) and tilt; blur shortens the axis and lengthens Z.
+/// Position of the mark's centre in {cam}, m. Seen along its own ray, a circle's image has the semi-major axis
+/// radius / distance whatever its tilt; so the ellipse is turned from the image plane onto the plane across that ray.
+/// Bias  of second order in (radius / distance) and tilt; blur shortens the axis and lengthens the distance.
 /// Errors  bad_argument for an empty ellipse or radius; outside_domain from the lens model.
 template <class S>
 Result<Vec<S, 3>> ring_position(const Ellipse& image, S radius_m, const CameraModel<S>& camera) noexcept {
   const auto s = camera.unproject({S(from_q16(image.u_q16)), S(from_q16(image.v_q16))});
   if (!s.ok()) return s.status();
-  const S a = S(from_q16(image.m00_q16)) / S(camera.parameters().fx_px);
-  const S b = S(from_q16(image.m10_q16)) / S(camera.parameters().fy_px);
-  const S d = S(from_q16(image.m11_q16)) / S(camera.parameters().fy_px);
-  // Largest eigenvalue of M M^T, M = | a 0 ; b d |: the squared semi-major axis.
-  const S half_trace = S(0.5) * (a * a + b * b + d * d);
-  const S det = a * a * d * d;
-  const S gap2 = half_trace * half_trace - det;
-  const S major2 = half_trace + std::sqrt(gap2 > S(0) ? gap2 : S(0));
+  const S norm = std::sqrt(s.value().squaredNorm() + S(1));
+  const Vec<S, 3> ray{s.value().x() / norm, s.value().y() / norm, S(1) / norm};
+
+  Mat<S, 2, 2> M;  // the ellipse on the metric plane
+  M << S(from_q16(image.m00_q16)), S(0), S(from_q16(image.m10_q16)), S(from_q16(image.m11_q16));
+  M.row(0) /= S(camera.parameters().fx_px);
+  M.row(1) /= S(camera.parameters().fy_px);
+  const Vec<S, 2> along = M.transpose() * ray.template head<2>();
+  // M^T (I - ray ray^T) M / norm^2; its larger eigenvalue is the squared semi-major axis across the ray, at distance 1.
+  const Mat<S, 2, 2> shape = (M.transpose() * M - along * along.transpose()) / (norm * norm);
+  const S half_trace = S(0.5) * (shape(0, 0) + shape(1, 1));
+  const S half_gap = S(0.5) * (shape(0, 0) - shape(1, 1));
+  const S major2 = half_trace + std::sqrt(half_gap * half_gap + shape(0, 1) * shape(0, 1));
   if (!(major2 > S(0)) || !(radius_m > S(0))) return Status::bad_argument;
-  const S Z = radius_m / std::sqrt(major2);
-  return Vec<S, 3>{s.value().x() * Z, s.value().y() * Z, Z};
+  return Vec<S, 3>{ray * (radius_m / std::sqrt(major2))};
 }
 
 }  // namespace articam::vision

@@ -34,10 +34,7 @@ Status PgmCamera::acquire(Frame& out, std::chrono::milliseconds) noexcept {
   if (next_ >= files_.size()) return Status::end_of_stream;
   const std::size_t frame = next_++;
   try {
-    if (const Status status = read_pgm(files_[frame], image_, problem_); status != Status::ok) {
-      problem_ = files_[frame].string() + ": " + problem_;
-      return status;
-    }
+    if (const Status status = read_pgm(files_[frame], image_, problem_); status != Status::ok) return status;
   } catch (const std::exception& e) {
     problem_ = e.what();
     return Status::io_error;

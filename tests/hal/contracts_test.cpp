@@ -11,6 +11,8 @@
 #include "hal/replay/pgm_camera.hpp"
 #include "host_sim/ports/sim_camera.hpp"
 
+#include "tests/support/own_folder.hpp"
+
 namespace articam {
 namespace {
 
@@ -43,7 +45,7 @@ struct PgmStage {
     camera = std::make_unique<hal::PgmCamera>(hal::find_frames(folder.string()), 30);
   }
   ~PgmStage() { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder = std::filesystem::path{testing::TempDir()} / "articam_contracts_test";
+  std::filesystem::path folder = test::own_folder();
   std::unique_ptr<hal::PgmCamera> camera;
   void next(std::uint32_t) {}
   static constexpr bool kEnds = true;

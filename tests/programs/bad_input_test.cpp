@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "tests/support/own_folder.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace {
@@ -35,7 +36,7 @@ class Programs : public testing::Test {
     for (const char* word : words) EXPECT_NE(ended.text.find(word), std::string::npos) << command << '\n' << ended.text;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "articam_programs_test";
+  const fs::path folder_ = articam::test::own_folder();
 };
 
 TEST_F(Programs, TeachTheirUseAndNameTheirVersion) {

@@ -18,7 +18,7 @@ struct Arm {
   static constexpr std::array<model::JointRow, 4> kJoints{{
     {"hinge", revolute,   -1, {0.6, 0, 0.8},   { 0.10,  0.05, -0.02}, {0.5, 0.5, -0.5, 0.5}, -1.5, 1.5},
     {"rod",   prismatic,   0, {0, -0.28, 0.96}, {0.03, -0.08,  0.04}, {0.8, 0, 0.6, 0},       0.0, 0.3},
-    {"knob",  continuous,  1, {0, 1, 0},       {-0.02,  0.06,  0.01}, {0.5, -0.5, 0.5, 0.5}, -model::kUnlimited, model::kUnlimited},
+    {"knob",  continuous,  1, {0, 1, 0},       {-0.02,  0.06,  0.01}, {0.5, -0.5, 0.5, 0.5}, -1e9, 1e9},
     {"lid",   revolute,   -1, {0.36, 0.48, 0.8}, {-0.1, 0.04,  0.05}, {0.28, 0.96, 0, 0},    -2.0, 2.0},
   }};
   static constexpr std::array<model::MarkerRow, 7> kMarkers{{

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "static_models/registry.hpp"
+#include "tests/support/own_folder.hpp"
 #include "tests/support/observe.hpp"
 
 namespace articam {
@@ -24,7 +25,7 @@ class FileLink : public testing::Test {
     all << std::ifstream{path_}.rdbuf();
     return all.str();
   }
-  std::filesystem::path folder_ = std::filesystem::path{testing::TempDir()} / "articam_file_link_test";
+  std::filesystem::path folder_ = test::own_folder();
   std::string path_ = (folder_ / "estimates.csv").string();
 };
 

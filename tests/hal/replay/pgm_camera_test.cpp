@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "tests/support/own_folder.hpp"
+
 namespace articam {
 namespace {
 
@@ -20,7 +22,7 @@ class PgmCamera : public testing::Test {
     std::ofstream{folder_ / "notes.txt"} << "no frame";
   }
   ~PgmCamera() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_ = std::filesystem::path{testing::TempDir()} / "articam_pgm_camera_test";
+  std::filesystem::path folder_ = test::own_folder();
 };
 
 TEST_F(PgmCamera, PlaysTheFramesOfAFolderByNameAtItsRate) {
