@@ -110,6 +110,9 @@ void print_summary(const RunRecord& run, const Metrics& metrics, const fs::path&
     fmt::print("\n");
   }
   fmt::print("  base                RMS {:.3f} mm, {:.3f} deg\n", metrics.position_rms_mm, metrics.orientation_rms_deg);
+  if (const auto& rate = metrics.decay_rate_per_s) {
+    fmt::print("  convergence         {:.2f} 1/s ({:.2f} to {:.2f})\n", rate->value, rate->low, rate->high);
+  }
   fmt::print("  image to estimate   {:.2f} ms (median), {:.2f} ms (99 %)\n", metrics.step_median_ms,
              metrics.step_p99_ms);
   fmt::print("  report              {}\n", (out / "report.html").string());

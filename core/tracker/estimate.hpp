@@ -54,7 +54,7 @@ struct Estimate {
   Timestamp t_capture{};  ///< mid-exposure
   TrackingStatus status{TrackingStatus::initialising};
   Reason reason{Reason::none};
-  bool valid{};  ///< q, qdot and covariance mean something
+  bool valid{};  ///< q, qdot and covariance mean something; in paper mode from the first step on
   model::Configuration<Model, S> q{};
   Vec<S, kDof> qdot{Vec<S, kDof>::Zero()};
   Mat<S, kDof, kDof> covariance{Mat<S, kDof, kDof>::Zero()};

@@ -61,6 +61,9 @@ class MotionPrior {
     for (int i = 0; i < kDof; ++i) deviation_[i] = std::sqrt(covariance(i, i));
   }
 
+  /// Nothing is known of the motion any more: the mean stays where it is.
+  void halt() noexcept { rates_.setZero(); }
+
   const Configuration& q() const noexcept { return q_; }
   const Rates& rates() const noexcept { return rates_; }
   Prior<M, S> prior() const noexcept { return {q_, deviation_.cwiseAbs2()}; }

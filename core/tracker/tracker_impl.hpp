@@ -210,6 +210,7 @@ auto Tracker<Model, Scalar>::judge(const Evidence& evidence, Timestamp t) noexce
     estimate.covariance = found_.solution.covariance;
   } else {
     estimate.covariance = motion_.prior().variance.asDiagonal();
+    if (verdict.status != TrackingStatus::coasting) motion_.halt();  // a lost object is not followed into the blue
   }
   if (!paper) qdot_ = motion_.rates();
   estimate.q = motion_.q();

@@ -1,0 +1,144 @@
+#include "core/tracker/tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "hal/firmware.hpp"
+#include "host_sim/scenarios/paper.hpp"
+#include "host_sim/world/renderer.hpp"
+#include "tests/support/test_arm.hpp"
+
+namespace articam {
+namespace {
+
+using enum tracker::TrackingStatus;
+using tracker::Reason;
+using Scenario = sim::PaperScenario;
+using M = Scenario::Model;
+using Markers = std::vector<sim::SceneMarker>;
+
+/// A tracker that looks at the paper's printer at rest, 30 frames a second, through a scene that a test may disturb.
+class PrinterTracker : public testing::Test {
+ protected:
+  using Tracker = tracker::Tracker<M, double>;
+  using Estimate = Tracker::EstimateType;
+
+  Estimate see(const std::function<void(Markers&)>& disturb = [](Markers&) {}) {
+    const double t_s = static_cast<double>(k_) / 30;
+    Markers markers = sim::scene_markers<M>(Scenario::at(0).q);
+    disturb(markers);
+    renderer_.render(markers, static_cast<std::uint64_t>(k_++), pixels_);
+    return tracker_->step({pixels_.data(), 640, 480, 640}, from_seconds(t_s));
+  }
+  Estimate see_nothing() {
+    return see([](Markers& markers) { markers.clear(); });
+  }
+  void track() {
+    Estimate estimate;
+    for (int i = 0; i < 5; ++i) estimate = see();
+    ASSERT_EQ(estimate.status, tracking) << name(estimate.reason);
+  }
+  static double drawer_error_mm(const Estimate& estimate) {
+    return 1e3 * (estimate.q.joints[0] - Scenario::at(0).q.joints[0]);
+  }
+
+  sim::Renderer renderer_{Scenario::camera(), {}};
+  std::unique_ptr<Tracker> tracker_ = std::make_unique<Tracker>(Scenario::camera());
+  std::vector<std::uint8_t> pixels_;
+  int k_{};
+};
+
+TEST_F(PrinterTracker, FindsThePrinterFromThePapersStartInTheFirstFrame) {
+  const auto estimate = see();
+  EXPECT_EQ(estimate.status, tracking) << name(estimate.reason);
+  EXPECT_EQ(estimate.matched, 6);
+  // 3 deviations of the drawer at this noise (0.02 mm), and as much again for a first frame without history.
+  EXPECT_LT(std::abs(drawer_error_mm(estimate)), 0.15);
+}
+
+TEST_F(PrinterTracker, TracksWithABaseMarkerHiddenAndSaysWhichJointIsHeldWithADrawerMarkerHidden) {
+  track();
+  const auto without_base = see([](Markers& markers) { markers.erase(markers.begin()); });
+  EXPECT_EQ(without_base.status, tracking);
+  EXPECT_EQ(without_base.matched, 5);
+  EXPECT_LT(std::abs(drawer_error_mm(without_base)), 0.3);
+  const auto without_drawer = see([](Markers& markers) { markers.pop_back(); });
+  EXPECT_EQ(without_drawer.status, degraded);
+  EXPECT_EQ(without_drawer.reason, Reason::weak_joint);
+  EXPECT_LT(without_drawer.covariance(6, 6), 1e-6);         // the drawer is seen by its other marker ...
+  EXPECT_GT(without_drawer.covariance(7, 7), 0.01 * 0.01);  // ... the distance of the two is not
+}
+
+TEST_F(PrinterTracker, LeavesOutAMarkerThatHasComeOff) {
+  track();
+  const auto estimate = see([](Markers& markers) { markers[1].centre_cam_m.x() += 0.015; });  // 11 px
+  EXPECT_EQ(estimate.status, tracking);
+  EXPECT_EQ(estimate.reason, Reason::outlier);
+  EXPECT_EQ(estimate.matched, 5);
+  EXPECT_LT(std::abs(drawer_error_mm(estimate)), 0.3);
+}
+
+TEST_F(PrinterTracker, CoastsWithGrowingCovarianceIsLostThenAndStandsStillUntilItSeesThePrinterAgain) {
+  track();
+  Estimate last = see();
+  for (; last.status == tracking || last.status == coasting; last = see_nothing()) {
+    ASSERT_TRUE(last.valid);
+    ASSERT_LT(k_, 60);
+  }
+  EXPECT_EQ(last.status, lost);
+  EXPECT_FALSE(last.valid);
+  EXPECT_GT(k_, 5 + 15);  // half a second of coasting
+  const auto later = see_nothing();
+  EXPECT_EQ(later.q.T_cam_obj.t, last.q.T_cam_obj.t);
+  EXPECT_GE(later.covariance(0, 0), last.covariance(0, 0));
+  EXPECT_TRUE(math::all_finite(later.covariance));
+  EXPECT_EQ(see().status, tracking);
+}
+
+TEST_F(PrinterTracker, CallsAnImageOfAnotherSizeAFaultAndGoesOnAfterIt) {
+  track();
+  const auto fault_estimate = tracker_->step({pixels_.data(), 320, 240, 640}, from_seconds(1));
+  EXPECT_EQ(fault_estimate.status, fault);
+  EXPECT_EQ(fault_estimate.reason, Reason::image_mismatch);
+  k_ = 31;
+  EXPECT_EQ(see().status, tracking);
+}
+
+TEST_F(PrinterTracker, CoastsOnATickWithoutAFrameAndLeavesTheNextFrameItsOwnTime) {
+  track();
+  auto other = std::make_unique<Tracker>(*tracker_);
+  const auto coasted = tracker_->coast(from_seconds(0.25));
+  EXPECT_EQ(coasted.status, coasting);
+  EXPECT_EQ(coasted.reason, Reason::no_frame);
+  EXPECT_EQ(coasted.t_capture, from_seconds(0.25));
+  const auto after = see();
+  const auto undisturbed = other->step({pixels_.data(), 640, 480, 640}, after.t_capture);
+  EXPECT_TRUE(after.q.joints == undisturbed.q.joints && after.q.T_cam_obj.t == undisturbed.q.T_cam_obj.t);
+}
+
+TEST_F(PrinterTracker, GivesTheTransientOfThePapersModeAsInitialising) {
+  tracker_ = std::make_unique<Tracker>(Scenario::camera(), tracker::Options{.mode = tracker::Mode::paper});
+  const auto first = see();
+  EXPECT_EQ(first.status, initialising);
+  EXPECT_TRUE(first.valid);
+  EXPECT_EQ(first.iterations, 1);
+  Estimate last = first;
+  for (int i = 0; i < 90; ++i) last = see();
+  EXPECT_EQ(last.status, tracking);
+  EXPECT_LT(last.error_norm, 1e-3 * first.error_norm);
+  EXPECT_LT(std::abs(drawer_error_mm(last)), 0.5);  // the projected centre for the ellipse's: ANCHORS' bias, 0.2 px
+}
+
+TEST(Tracker, WithoutAStartSaysSoAndTouchesNoPixel) {
+  tracker::Tracker<test::Arm, float> tracker{Scenario::camera()};
+  const auto estimate = tracker.step({}, from_seconds(0));
+  EXPECT_EQ(estimate.status, initialising);
+  EXPECT_EQ(estimate.reason, Reason::no_start);
+  EXPECT_FALSE(estimate.valid);
+}
+
+}  // namespace
+}  // namespace articam
