@@ -22,6 +22,12 @@ class CameraModel {
     return {S(p_.fx_px) * d.x() + S(p_.cx_px), S(p_.fy_px) * d.y() + S(p_.cy_px)};
   }
 
+  /// Whether the lens model holds at s. Beyond the fold of a barrel distortion it throws points back into the image.
+  bool in_domain(const Vec<S, 2>& s) const noexcept {
+    const Mat<S, 2, 2> J = distortion_jacobian(s);
+    return radial(s.squaredNorm()) > S(0) && J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0) > S(kMinStretch);
+  }
+
   /// (u_px, v_px) -> (x, y) on the metric plane, by Newton's method on the distortion.
   /// Errors  outside_domain where it does not converge in kMaxIterations (beyond the fold of the lens model).
   Result<Vec<S, 2>> unproject(const Vec<S, 2>& pixel) const noexcept {
@@ -34,7 +40,7 @@ class CameraModel {
       if (miss.squaredNorm() < kTolerance * kTolerance) return s;
       const Mat<S, 2, 2> J = distortion_jacobian(s);
       const S det = J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0);
-      if (!(det > S(1e-3))) return Status::outside_domain;
+      if (!(det > S(kMinStretch))) return Status::outside_domain;
       s -= Vec<S, 2>{J(1, 1) * miss.x() - J(0, 1) * miss.y(), J(0, 0) * miss.y() - J(1, 0) * miss.x()} / det;
     }
     return Status::outside_domain;
@@ -42,6 +48,7 @@ class CameraModel {
 
  private:
   static constexpr int kMaxIterations = 12;
+  static constexpr double kMinStretch = 1e-3;  ///< of areas by the lens; it falls to 0 at the fold
   static constexpr S kTolerance = sizeof(S) == 4 ? S(1e-6) : S(1e-12);  // metric plane; about 1e-3 and 1e-9 px
 
   bool distorted() const noexcept {
@@ -51,22 +58,27 @@ class CameraModel {
     return false;
   }
 
+  S radial(S r2) const noexcept {
+    const auto [k1, k2, p1, p2, k3] = coefficients();
+    return S(1) + r2 * (k1 + r2 * (k2 + r2 * k3));
+  }
+
   Vec<S, 2> distort(const Vec<S, 2>& s) const noexcept {
     const auto [k1, k2, p1, p2, k3] = coefficients();
     const S x = s.x(), y = s.y(), r2 = x * x + y * y;
-    const S radial = S(1) + r2 * (k1 + r2 * (k2 + r2 * k3));
-    return {x * radial + S(2) * p1 * x * y + p2 * (r2 + S(2) * x * x),
-            y * radial + p1 * (r2 + S(2) * y * y) + S(2) * p2 * x * y};
+    const S scale = radial(r2);
+    return {x * scale + S(2) * p1 * x * y + p2 * (r2 + S(2) * x * x),
+            y * scale + p1 * (r2 + S(2) * y * y) + S(2) * p2 * x * y};
   }
 
   Mat<S, 2, 2> distortion_jacobian(const Vec<S, 2>& s) const noexcept {
     const auto [k1, k2, p1, p2, k3] = coefficients();
     const S x = s.x(), y = s.y(), r2 = x * x + y * y;
-    const S radial = S(1) + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const S scale = radial(r2);
     const S slope = S(2) * (k1 + r2 * (S(2) * k2 + r2 * S(3) * k3));  // d radial / d r2, times 2
     Mat<S, 2, 2> J;
-    J << radial + slope * x * x + S(2) * p1 * y + S(6) * p2 * x, slope * x * y + S(2) * p1 * x + S(2) * p2 * y,
-        slope * x * y + S(2) * p1 * x + S(2) * p2 * y, radial + slope * y * y + S(6) * p1 * y + S(2) * p2 * x;
+    J << scale + slope * x * x + S(2) * p1 * y + S(6) * p2 * x, slope * x * y + S(2) * p1 * x + S(2) * p2 * y,
+        slope * x * y + S(2) * p1 * x + S(2) * p2 * y, scale + slope * y * y + S(6) * p1 * y + S(2) * p2 * x;
     return J;
   }
 

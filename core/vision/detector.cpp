@@ -6,7 +6,8 @@
 namespace articam::vision {
 namespace {
 
-// Work is bounded on any frame: one row of an outline for each so many pixels, above what any scene of marks needs.
+// Work is bounded on any frame or window: one row of an outline for each so many pixels, above what any scene of
+// marks needs, and what a small window's marks need.
 constexpr int kPixelsPerRow = 16;
 constexpr int kMinRowBudget = 1024;
 
@@ -40,12 +41,14 @@ Status Detector::detect(const ImageView& image, Detections& out) noexcept {
 }
 
 Status Detector::detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept {
-  if (!image.ok()) return Status::bad_argument;
+  if (!image.ok() || !options_.ok()) return Status::bad_argument;
   overloaded_ = false;
   out.clear();
   for (const PixelBox& window : windows) {
     const PixelBox box = window.clipped_to(image);
-    if (!box.empty()) search(image, box, out);
+    if (box.empty()) continue;
+    search(image, box, out);
+    overloaded_ |= exhausted_;
   }
   std::sort(out.begin(), out.end(), [](const Detection& a, const Detection& b) {
     return a.outer.v_q16 != b.outer.v_q16 ? a.outer.v_q16 < b.outer.v_q16 : a.outer.u_q16 < b.outer.u_q16;
@@ -58,9 +61,10 @@ void Detector::search(const ImageView& image, const PixelBox& window, Detections
                        window.v_max_px - window.v_min_px + 1, image.stride_bytes};
   thresholds_.compute(view);
   mask_.binarise(view, thresholds_);
-  row_budget_ = kMinRowBudget + view.width_px * view.height_px / kPixelsPerRow;
+  exhausted_ = false;
+  budget_ = kMinRowBudget + view.width_px * view.height_px / kPixelsPerRow;
   const Origin origin{window.u_min_px, window.v_min_px};
-  for (int v = 1; v + 1 < view.height_px && !overloaded_; ++v) {
+  for (int v = 1; v + 1 < view.height_px && !exhausted_; ++v) {
     if (options_.rings || options_.dots_dark_on_light) search_row(image, origin, v, Colour::dark, found);
     if (options_.dots_light_on_dark) search_row(image, origin, v, Colour::light, found);
   }
@@ -68,6 +72,7 @@ void Detector::search(const ImageView& image, const PixelBox& window, Detections
 
 // A run with nothing of its colour above may be the top of a mark.
 void Detector::search_row(const ImageView& image, Origin origin, int v, Colour colour, Detections& found) noexcept {
+  const std::int32_t min_own_q16 = least_own_share_q16(options_.ring_ratio_q16);
   const MaskRow above = mask_.row(v - 1, colour), row = mask_.row(v, colour);
   for (int i = 0; i < row.num_words; ++i) {
     const std::uint64_t here = row.word(i);
@@ -78,9 +83,10 @@ void Detector::search_row(const ImageView& image, Origin origin, int v, Colour c
       const int left = i * 64 + std::countr_zero(starts), right = row.next_clear(left) - 1;
       if (left == 0 || above.next_set(left - 1) <= right + 1) continue;
       Region region;
-      if (trace_region(mask_, colour, v, left, right, row_budget_, region)) inspect(image, origin, region, found);
-      if (row_budget_ <= 0) overloaded_ = true;
-      if (overloaded_) return;
+      if (trace_region(mask_, colour, v, left, right, min_own_q16, budget_, region))
+        inspect(image, origin, region, found);
+      if (budget_ <= 0) exhausted_ = true;
+      if (exhausted_) return;
     }
   }
 }
@@ -92,11 +98,11 @@ void Detector::inspect(const ImageView& image, Origin origin, const Region& regi
   Detection mark;
   const bool dots = region.colour == Colour::dark ? options_.dots_dark_on_light : options_.dots_light_on_dark;
   const bool ring = options_.rings && region.colour == Colour::dark &&
-                    find_ring(image, mask_, origin, region, options_.ring_ratio_q16, mark);
-  if (!ring && !(dots && find_dot(image, origin, region, mark))) return;
+                    find_ring(image, mask_, origin, region, options_.ring_ratio_q16, budget_, mark);
+  if (!ring && !(dots && find_dot(image, origin, region, budget_, mark))) return;
   if (!ring && in_a_ring(mark, found)) return;
   const auto twin = [&](const Detection& other) { return other.kind == mark.kind && same_place(mark, other); };
-  if (std::none_of(found.begin(), found.end(), twin) && !found.push_back(mark)) overloaded_ = true;
+  if (std::none_of(found.begin(), found.end(), twin) && !found.push_back(mark)) exhausted_ = true;
 }
 
 }  // namespace articam::vision

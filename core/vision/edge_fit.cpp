@@ -111,6 +111,7 @@ bool find_profile(const Samples& samples, Inside inside, Profile& profile) noexc
   // A Gaussian edge of contrast C has the steepest slope C / (sigma sqrt(2 pi)); a difference over two samples widens
   // it by a box of that length. C^2 / (2 pi (slope / 2)^2) = 0.6366 (C / slope)^2.
   constexpr std::int64_t kTwoOverPi_q16 = 41722, kOfDifference_q16 = kOne_q16 / 3;
+  if (6 * steepest < *high - *low) return false;  // flatter than a ramp over all samples; bounds the variance
   const std::int64_t ratio_q16 = (*high - *low) * kOne_q16 / steepest;
   profile.variance_q16 =
       std::max<std::int64_t>(0, (square(ratio_q16) >> kQ16) * kTwoOverPi_q16 / kOne_q16 - kOfDifference_q16);
@@ -158,11 +159,16 @@ Harmonic harmonic(const PerRay& offsets, int n) noexcept {
   return {h.a / kHalf, h.b / kHalf};
 }
 
-// M <- lower triangular factor of M (1 + S), S = |s00 s10; s10 s11| small, Q16.
+// M <- lower triangular factor of M (1 + S), S = |s00 s10; s10 s11| small, Q16. False beyond the size of a frame.
 bool deform(Ellipse& e, std::int64_t s00, std::int64_t s10, std::int64_t s11) noexcept {
   const std::int64_t a00 = e.m00_q16 + (e.m00_q16 * s00 >> kQ16), a01 = e.m00_q16 * s10 >> kQ16;
   const std::int64_t a10 = e.m10_q16 + ((e.m10_q16 * s00 + e.m11_q16 * s10) >> kQ16);
   const std::int64_t a11 = e.m11_q16 + ((e.m10_q16 * s10 + e.m11_q16 * s11) >> kQ16);
+  constexpr std::int64_t kMax_q16 = std::int64_t{2} * std::max(kMaxImageWidth_px, kMaxImageHeight_px) * kOne_q16;
+  static_assert(kMax_q16 < std::int64_t{1} << 28, "squares, and twice the length of a row in 32 bits, fit");
+  for (const std::int64_t a : {a00, a01, a10, a11}) {
+    if (a > kMax_q16 || a < -kMax_q16) return false;
+  }
   const std::int64_t m00 = integer_sqrt(static_cast<std::uint64_t>(square(a00) + square(a01)));
   if (m00 < kOne_q16) return false;
   const std::int64_t m11 = (a00 * a11 - a01 * a10) / m00;
@@ -232,6 +238,14 @@ bool undo_blur(Ellipse& e, std::int64_t width_q16) noexcept {
   return deform(e, width_q16 * g00 / trace, width_q16 * g10 / trace, width_q16 * g11 / trace);
 }
 
+// A fit that wandered off has found some other edge.
+bool is_near(const Ellipse& e, const Ellipse& seed) noexcept {
+  const auto similar = [](std::int64_t a, std::int64_t b) { return 10 * a > 7 * b && 10 * a < 13 * b; };
+  const std::int64_t radius_q16 = mean_radius_q16(seed);
+  const std::int64_t du = e.u_q16 - seed.u_q16, dv = e.v_q16 - seed.v_q16;
+  return 4 * (du * du + dv * dv) < radius_q16 * radius_q16 && similar(mean_radius_q16(e), radius_q16);
+}
+
 }  // namespace
 
 bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed,
@@ -243,7 +257,7 @@ bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, con
     if (radius_q16 < kOne_q16) return false;
     const std::int64_t window_q16 = std::min<std::int64_t>(reach_q16, (std::int64_t{reach_px} << 32) / radius_q16);
     width_q16 = improve(image, inside, static_cast<std::int32_t>(window_q16), fit);
-    if (width_q16 < 0) return false;
+    if (width_q16 < 0 || !is_near(fit.ellipse, seed)) return false;
   }
   fit.centre_variance_q16 = centre_variance_q16(fit);
   if (!undo_blur(fit.ellipse, width_q16)) return false;

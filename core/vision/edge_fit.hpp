@@ -35,7 +35,8 @@ inline std::int64_t mean_radius_q16(const Ellipse& e) noexcept {
 ///     rho(t) = s + (cos t, sin t) . c + p cos 2t + q sin 2t,  centre += M c,  M <- M (1 + s + |p q; q -p|).
 ///
 /// Shapes  `reach_q16` is the largest h allowed by what lies inside and around the edge, in radii.
-/// Errors  false where there is no edge of that polarity; `out` is unchanged then.
+/// Errors  false where there is no edge of that polarity near the seed: the centre stays within half a radius, the
+///         size within 30 %; `out` is unchanged then.
 bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed,
               EdgeFit& out) noexcept;
 

@@ -56,7 +56,7 @@ bool belong_together(const EdgeFit& outer, const EdgeFit& inner, std::int32_t ra
 }  // namespace
 
 bool find_ring(const ImageView& image, const BitMask& mask, Origin origin, const Region& region, std::int32_t ratio_q16,
-               Detection& out) noexcept {
+               int& budget, Detection& out) noexcept {
   // the hole's share of the outline is ratio^2
   const std::int64_t hole = region.area - region.own;
   const std::int64_t expected_q16 = region.area * (std::int64_t{ratio_q16} * ratio_q16 >> kQ16);
@@ -69,20 +69,25 @@ bool find_ring(const ImageView& image, const BitMask& mask, Origin origin, const
   if (dark < 7) return false;
 
   EdgeFit outer, inner;
+  budget -= kRowsPerFit;
   if (!fit_edge(image, Inside::darker, (kOne_q16 - ratio_q16) / 2, moved(seed, origin), outer)) return false;
   if (!is_an_ellipse(outer)) return false;
-  if (!fit_edge(image, Inside::lighter, percent_q16(70), scaled(outer.ellipse, ratio_q16), inner)) return false;
+  const std::int32_t to_outer_q16 = static_cast<std::int32_t>((std::int64_t{kOne_q16} << kQ16) / ratio_q16) - kOne_q16;
+  budget -= kRowsPerFit;
+  const std::int32_t hole_reach_q16 = std::min(percent_q16(70), to_outer_q16 / 2);
+  if (!fit_edge(image, Inside::lighter, hole_reach_q16, scaled(outer.ellipse, ratio_q16), inner)) return false;
   if (!belong_together(outer, inner, ratio_q16)) return false;
   out = {MarkKind::ring, outer.ellipse, inner.ellipse, outer.centre_variance_q16};
   return true;
 }
 
-bool find_dot(const ImageView& image, Origin origin, const Region& region, Detection& out) noexcept {
+bool find_dot(const ImageView& image, Origin origin, const Region& region, int& budget, Detection& out) noexcept {
   if (region.own * 100 < region.area * 96) return false;
   Ellipse seed;
   if (!ellipse_of(region, seed)) return false;
   const bool light = region.colour == Colour::light;
   EdgeFit fit;
+  budget -= kRowsPerFit / 4;
   if (!fit_edge(image, light ? Inside::lighter : Inside::darker, percent_q16(32), moved(seed, origin), fit))
     return false;
   if (!is_an_ellipse(fit)) return false;

@@ -26,22 +26,24 @@ void add_row(const MaskRow& row, int v, int left, int right, Region& region) noe
   region.box.v_max_px = v;
 }
 
-int longest_run(const MaskRow& row, int from, int to) noexcept {
-  int longest = 0;
-  for (int u = row.next_set(from); u <= to;) {
+int longest_run(const MaskRow& row, int from, int to, int& budget) noexcept {
+  constexpr int kRunsPerRow = 8;  // cost about as much as one row of an outline
+  int longest = 0, runs = 0;
+  for (int u = row.next_set(from); u <= to; ++runs) {
     const int end = row.next_clear(u);
     longest = std::max(longest, end - u);
     u = row.next_set(end);
   }
+  budget -= runs / kRunsPerRow;
   return longest;
 }
 
 // Of several outlines that meet in the next row only the widest goes on (the leftmost of equals): ragged tops do
 // not lose a mark, and no row of a region is walked once for every top above it.
-bool another_is_wider(const MaskRow& row, int left, int right, int next_left, int next_right) noexcept {
+bool another_is_wider(const MaskRow& row, int left, int right, int next_left, int next_right, int& budget) noexcept {
   const int width = right - left + 1;
-  if (next_left < left && longest_run(row, std::max(next_left - 1, 0), left - 2) >= width) return true;
-  return next_right > right && longest_run(row, right + 2, next_right + 1) > width;
+  if (next_left < left && longest_run(row, std::max(next_left - 1, 0), left - 2, budget) >= width) return true;
+  return next_right > right && longest_run(row, right + 2, next_right + 1, budget) > width;
 }
 
 // At least 1/5 as wide as long (78 deg of tilt), and the area is pi m00 m11 but for the pixels of a ragged outline.
@@ -57,7 +59,8 @@ bool is_plausible(std::int64_t m00_q16, std::int64_t m10_q16, std::int64_t m11_q
 
 }  // namespace
 
-bool trace_region(const BitMask& mask, Colour colour, int v, int a, int b, int& budget, Region& out) noexcept {
+bool trace_region(const BitMask& mask, Colour colour, int v, int a, int b, std::int32_t min_own_q16, int& budget,
+                  Region& out) noexcept {
   Region region{.colour = colour, .u0_px = a, .v0_px = v, .box = {a, v, b, v}};
   int left = a, right = b;
   if (left < 1 || right > mask.width_px() - 2) return false;
@@ -65,8 +68,7 @@ bool trace_region(const BitMask& mask, Colour colour, int v, int a, int b, int& 
     if (v > mask.height_px() - 2 || --budget < 0) return false;
     const MaskRow row = mask.row(v, colour);
     add_row(row, v, left, right, region);
-    if (region.own * 8 < region.area * 5)
-      return false;  // hollow: of a ring's outline at least 3/4 are dark, from the top on
+    if (region.own * kOne_q16 < region.area * min_own_q16) return false;
 
     const MaskRow next = mask.row(v + 1, colour);
     const int first = next.next_set(left - 1);
@@ -75,7 +77,7 @@ bool trace_region(const BitMask& mask, Colour colour, int v, int a, int b, int& 
     const int next_left = first == left - 1 ? next.last_clear(first) + 1 : first;
     const int next_right = last == right + 1 ? next.next_clear(last) - 1 : last;
     if (next_left < 1 || next_right > mask.width_px() - 2) return false;
-    if ((next_left < left || next_right > right) && another_is_wider(row, left, right, next_left, next_right))
+    if ((next_left < left || next_right > right) && another_is_wider(row, left, right, next_left, next_right, budget))
       return false;
     left = next_left;
     right = next_right;

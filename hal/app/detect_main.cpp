@@ -62,7 +62,7 @@ vision::DetectorOptions options_for(const std::string& type, double ring_ratio) 
 int run(const std::vector<std::string>& files, const vision::DetectorOptions& options) {
   const auto detector = std::make_unique<vision::Detector>(options);
   bool all_read = true;
-  fmt::print("file,type,x_px,y_px,major_px,minor_px,angle_rad\n");
+  std::cout << "file,type,x_px,y_px,major_px,minor_px,angle_rad\n";
   for (const std::string& file : files) {
     hal::GreyImage image;
     vision::Detections marks;
@@ -80,10 +80,14 @@ int run(const std::vector<std::string>& files, const vision::DetectorOptions& op
     }
     for (const vision::Detection& mark : marks) {
       const Axes axes = axes_of(mark.outer);
-      fmt::print("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.5f}\n", csv_field(file), name(mark.kind),
-                 vision::from_q16(mark.outer.u_q16), vision::from_q16(mark.outer.v_q16), axes.major_px, axes.minor_px,
-                 axes.angle_rad);
+      std::cout << fmt::format("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.5f}\n", csv_field(file), name(mark.kind),
+                               vision::from_q16(mark.outer.u_q16), vision::from_q16(mark.outer.v_q16), axes.major_px,
+                               axes.minor_px, axes.angle_rad);
     }
+  }
+  if (!std::cout.flush()) {
+    fmt::print(stderr, "articam-detect: standard output could not be written in full; is its disk full?\n");
+    return 1;
   }
   return all_read ? 0 : 1;
 }
@@ -106,7 +110,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"ring", "dot", "all"}))
       ->capture_default_str();
   app.add_option("--ring-ratio", ring_ratio, "inner : outer diameter of the rings")
-      ->check(CLI::Range(0.2, 0.8))
+      ->check(CLI::Range(vision::from_q16(vision::kMinRingRatio_q16), vision::from_q16(vision::kMaxRingRatio_q16)))
       ->capture_default_str();
   app.add_option("FRAME.pgm", files, "binary 8-bit PGM files")->required();
   try {

@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <numbers>
@@ -55,6 +57,49 @@ Pixels checker(int size_px) {
   return pixels;
 }
 
+Pixels random_blocks(unsigned size_px) {
+  Pixels pixels(640 * 480);
+  for (unsigned i = 0; i < 640 * 480; ++i) {
+    std::minstd_rand block(1 + i % 640 / size_px + 640 * (i / 640 / size_px));
+    block.discard(2);
+    pixels[i] = static_cast<std::uint8_t>(block() >> 8);
+  }
+  return pixels;
+}
+
+// Each just too small a hole, so that it costs both fits and fills no list.
+Pixels dense_rings(double diameter_px) {
+  std::mt19937 random(6);
+  sim::Renderer renderer(test::kVga, {.clutter = false});
+  const int columns = static_cast<int>(640 / (1.5 * diameter_px)), rows = static_cast<int>(480 / (1.5 * diameter_px));
+  auto markers = test::grid_of_markers(model::MarkerKind::ring, columns, rows, diameter_px, 0, random);
+  for (sim::SceneMarker& marker : markers) marker.inner_radius_m *= 0.8;
+  Pixels pixels;
+  renderer.render(markers, 0, pixels);
+  return pixels;
+}
+
+// The slowest of what a scene without marks, or a hostile one, may hold.
+Pixels worst() {
+  std::vector<Pixels> frames;
+  for (const int size_px : {1, 2, 3, 4}) frames.push_back(checker(size_px));
+  for (const unsigned size_px : {1u, 2u, 3u}) frames.push_back(random_blocks(size_px));
+  for (const double diameter_px : {10.0, 12.0, 16.0}) frames.push_back(dense_rings(diameter_px));
+  const auto detector = std::make_unique<vision::Detector>();
+  const auto cost = [&detector](const Pixels& pixels) {
+    vision::Detections found;
+    auto least = std::chrono::nanoseconds::max();
+    for (int run = 0; run < 5; ++run) {
+      const auto start = std::chrono::steady_clock::now();
+      benchmark::DoNotOptimize(detector->detect(test::view_of(pixels), found));
+      least = std::min<std::chrono::nanoseconds>(least, std::chrono::steady_clock::now() - start);
+    }
+    return least;
+  };
+  return *std::max_element(frames.begin(), frames.end(),
+                           [&cost](const Pixels& a, const Pixels& b) { return cost(a) < cost(b); });
+}
+
 void full(benchmark::State& state, const Pixels& pixels) {
   const auto detector = std::make_unique<vision::Detector>();
   vision::Detections found;
@@ -84,6 +129,10 @@ const bool kRegistered = [] {
   }
   benchmark::RegisterBenchmark("detect/full/checker",
                                [pixels = checker(2)](benchmark::State& state) { full(state, pixels); });
+  benchmark::RegisterBenchmark("detect/full/worst", [](benchmark::State& state) {
+    static const Pixels pixels = worst();  // sought when it is first run, not at every start of the program
+    full(state, pixels);
+  });
   for (const int count : {1, 6, 20}) {
     benchmark::RegisterBenchmark(("detect/tracked_window/" + std::to_string(count)).c_str(),
                                  [count](benchmark::State& state) { tracked_window(state, count); });

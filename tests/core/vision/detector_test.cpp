@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <random>
@@ -138,6 +139,23 @@ TEST_F(DetectorLaws, LeaveOutMarksThatReachOverTheEdgeOfTheirWindow) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST_F(DetectorLaws, FindEveryMarkInItsWindowThoughTheWindowBeforeIsFullOfStripes) {
+  const Detections whole = detect(image());
+  std::vector<std::uint8_t> taller = pixels_;
+  for (int i = 0; i < 100 * 640; ++i) taller.push_back(i / 640 > 4 && i % 640 % 6 < 3 ? 20 : 230);
+  std::vector<PixelBox> windows{{0, 480, 639, 579}};
+  for (const Detection& mark : whole) windows.push_back(box_around(mark, 12));
+  const auto crowded = detector();
+  Detections found;
+  ASSERT_EQ(crowded->detect({taller.data(), 640, 580, 640}, windows, found), Status::ok);
+  EXPECT_TRUE(crowded->overloaded());
+  ASSERT_EQ(found.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_NEAR(from_q16(found[i].outer.u_q16), from_q16(whole[i].outer.u_q16), 0.01);
+    EXPECT_NEAR(from_q16(found[i].outer.v_q16), from_q16(whole[i].outer.v_q16), 0.01);
+  }
+}
+
 TEST_F(DetectorLaws, DoNotReportARingAsADotToo) {
   const Detections found = detect(image(), kEverything);
   const Detections rings = detect(image());
@@ -169,6 +187,38 @@ TEST(Detector, FindsNothingInAnEvenFrame) {
   }
 }
 
+TEST(Detector, FindsNothingInAnEvenFrameWithNoise) {
+  sim::Renderer renderer(test::kVga, {.clutter = false});
+  std::vector<std::uint8_t> pixels;
+  for (std::uint64_t i_frame = 0; i_frame < 5; ++i_frame) {
+    renderer.render({}, i_frame, pixels);
+    EXPECT_TRUE(detect(test::view_of(pixels), kEverything).empty());
+  }
+}
+
+TEST(Detector, FindsRingsOfTheRatioItIsGivenAndOfNoOther) {
+  sim::Renderer renderer(test::kVga, {.clutter = false});
+  std::vector<std::uint8_t> pixels;
+  for (const std::int32_t ratio_q16 : {kMinRingRatio_q16, 16384, 26859, 36045, kMaxRingRatio_q16}) {
+    std::mt19937 random(9);
+    auto markers = test::grid_of_markers(model::MarkerKind::ring, 3, 2, 45, 0.5, random);
+    for (sim::SceneMarker& marker : markers) marker.inner_radius_m = test::kRadius_m * from_q16(ratio_q16);
+    renderer.render(markers, 0, pixels);
+    EXPECT_EQ(detect(test::view_of(pixels), {.ring_ratio_q16 = ratio_q16}).size(), markers.size()) << ratio_q16;
+    const std::int32_t other_q16 = ratio_q16 < 30000 ? ratio_q16 * 3 / 2 : ratio_q16 * 2 / 3;
+    EXPECT_TRUE(detect(test::view_of(pixels), {.ring_ratio_q16 = other_q16}).empty()) << ratio_q16;
+  }
+}
+
+TEST(Detector, RefusesARatioOfRingsOutOfItsRangeUnlessItSeeksNone) {
+  const std::vector<std::uint8_t> pixels(640 * 480, 100);
+  for (const std::int32_t ratio_q16 : {0, kMinRingRatio_q16 - 1, kMaxRingRatio_q16 + 1}) {
+    Detections out;
+    EXPECT_EQ(detector({.ring_ratio_q16 = ratio_q16})->detect(test::view_of(pixels), out), Status::bad_argument);
+    EXPECT_EQ(detector({.rings = false, .ring_ratio_q16 = ratio_q16})->detect(test::view_of(pixels), out), Status::ok);
+  }
+}
+
 TEST(Detector, SaysSoWhenAFrameHoldsMoreMarksThanItsCapacity) {
   std::mt19937 random(1);
   sim::Renderer renderer(test::kVga, {.clutter = false});
@@ -185,25 +235,55 @@ TEST(Detector, SaysSoWhenAFrameHoldsMoreMarksThanItsCapacity) {
   EXPECT_FALSE(full->overloaded());
 }
 
-TEST(Detector, SurvivesCheckersAndNoiseOfEverySizeAndFrame) {
+// Checkers, blocks of noise, and rings within rings about a random centre, each light, dark or random.
+std::uint8_t grey_of(int pattern, int u, int v, int block_px, std::mt19937& random) {
+  switch (pattern) {
+    case 0:
+      return ((u / block_px + v / block_px) & 1) != 0 ? 230 : 20;
+    case 1:
+      return static_cast<std::uint8_t>(random());
+    case 2:
+      return static_cast<std::uint8_t>((u / block_px * 73856093) ^ (v / block_px * 19349663));
+    case 3:
+      return static_cast<int>(std::hypot(u - 70.3, 0.7 * v - 50.6)) / block_px % 2 != 0 ? 230 : 20;
+    default:
+      return static_cast<std::uint8_t>(
+          static_cast<unsigned>(std::hypot(u - 60.1, v - 61.7)) / static_cast<unsigned>(block_px) * 37 + random() % 30);
+  }
+}
+
+void expect_sane(const Ellipse& e, const ImageView& image) {
+  EXPECT_GE(e.u_q16, 0);
+  EXPECT_GE(e.v_q16, 0);
+  EXPECT_LT(e.u_q16 >> kQ16, image.width_px);
+  EXPECT_LT(e.v_q16 >> kQ16, image.height_px);
+  EXPECT_GT(e.m00_q16, 0);
+  EXPECT_GT(e.m11_q16, 0);
+  EXPECT_LT(2 * (e.m00_q16 >> kQ16), image.width_px);
+  EXPECT_LT(2 * std::hypot(from_q16(e.m10_q16), from_q16(e.m11_q16)), image.height_px);
+}
+
+TEST(Detector, ReportsSaneEllipsesOnlyOnCheckersNoiseAndNestedRings) {
   constexpr unsigned kSeed = 11;
   SCOPED_TRACE(kSeed);
   std::mt19937 random(kSeed);
   const auto everything = detector(kEverything);
   std::vector<std::uint8_t> pixels(std::size_t{kMaxImageWidth_px} * kMaxImageHeight_px);
   Detections out;
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < 400; ++run) {
     const int width = run == 0 ? kMaxImageWidth_px : 1 + static_cast<int>(random() % 200);
     const int height = run == 0 ? kMaxImageHeight_px : 1 + static_cast<int>(random() % 200);
-    const int block = 1 + run % 4;
-    for (int v = 0; v < height; ++v) {
-      for (int u = 0; u < width; ++u) {
-        const bool checker = ((u / block + v / block) & 1) != 0;
-        pixels[static_cast<std::size_t>(v * width + u)] =
-            static_cast<std::uint8_t>(run % 2 == 0 ? (checker ? 230 : 20) : static_cast<int>(random() & 255));
-      }
+    const int pattern = run % 5, block_px = 1 + run / 5 % 12;
+    for (int i = 0; i < width * height; ++i) {
+      pixels[static_cast<std::size_t>(i)] = grey_of(pattern, i % width, i / width, block_px, random);
     }
-    ASSERT_EQ(everything->detect({pixels.data(), width, height, width}, out), Status::ok);
+    const ImageView image{pixels.data(), width, height, width};
+    ASSERT_EQ(everything->detect(image, out), Status::ok);
+    for (const Detection& mark : out) {
+      expect_sane(mark.outer, image);
+      if (mark.kind == MarkKind::ring) expect_sane(mark.inner, image);
+      EXPECT_GT(mark.centre_variance_q16, 0u);
+    }
   }
 }
 
