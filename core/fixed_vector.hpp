@@ -19,8 +19,6 @@ class FixedVector {
     return true;
   }
   constexpr void clear() noexcept { size_ = 0; }
-  /// Shortens the list; a larger size than the present one is ignored.
-  constexpr void truncate(std::size_t size) noexcept { size_ = size < size_ ? size : size_; }
 
   static constexpr std::size_t capacity() noexcept { return Capacity; }
   constexpr std::size_t size() const noexcept { return size_; }

@@ -14,7 +14,9 @@ struct Timestamp {
 
 /// later - earlier, in seconds. Exact to 1 ns for spans under 104 days (2^53 ns).
 constexpr double seconds_between(Timestamp earlier, Timestamp later) noexcept {
-  return static_cast<double>(later.ns - earlier.ns) * 1e-9;
+  // Through unsigned: stamps of a broken clock may be farther apart than an int64 holds.
+  const auto span = static_cast<std::uint64_t>(later.ns) - static_cast<std::uint64_t>(earlier.ns);
+  return static_cast<double>(static_cast<std::int64_t>(span)) * 1e-9;
 }
 
 constexpr Timestamp from_seconds(double t_s) noexcept {

@@ -15,7 +15,7 @@ namespace articam::hal {
 enum class Tick : std::uint8_t {
   estimated,  ///< a frame became an estimate, and it went out
   coasted,    ///< no frame in time; an estimate that says so went out
-  refused,    ///< a duplicate or out-of-order frame; nothing changed, nothing went out
+  refused,    ///< a frame that cannot be the next one; the tracker did not see it, an estimate that coasts went out
   ended,      ///< the recording has no more frames
   failed,     ///< camera or link reported an error; see Counters
 };
@@ -46,17 +46,16 @@ class RunLoop {
     if (status == Status::end_of_stream) return Tick::ended;
     if (status != Status::ok) {
       ++(status == Status::timeout ? counters_.timeouts : counters_.camera_errors);
-      auto estimate = tracker_.coast(clock_.now());
-      estimate.frame = last_sequence_;
-      return publish(estimate, status == Status::timeout ? Tick::coasted : Tick::failed);
+      may_restart_ = true;
+      return publish(tracker_.coast(clock_.now()), status == Status::timeout ? Tick::coasted : Tick::failed);
     }
-    if (!is_new(frame)) {
+    if (!is_next(frame)) {
       camera_.release(frame);
       ++counters_.refused;
-      return Tick::refused;
+      if (++refused_in_a_row_ >= kRefusalsToRestart) may_restart_ = true;
+      return publish(tracker_.coast(clock_.now()), Tick::refused);
     }
-    auto estimate = tracker_.step(frame.pixels, frame.t_exposure);
-    estimate.frame = frame.sequence;
+    const auto estimate = tracker_.step(frame.pixels, frame.t_exposure);
     camera_.release(frame);
     ++counters_.frames;
     return publish(estimate, Tick::estimated);
@@ -65,20 +64,30 @@ class RunLoop {
   const Counters& counters() const noexcept { return counters_; }
 
  private:
-  /// Later than the last one by its number (which may wrap round) and by its stamp.
-  bool is_new(const Frame& frame) noexcept {
+  /// Later than the last one by its number (which may wrap round) and by its stamp, and not of the future. After a
+  /// silence the camera may have been started anew and count from anywhere; its stamps still only rise.
+  bool is_next(const Frame& frame) noexcept {
+    if (frame.t_exposure > clock_.now()) return false;
     if (any_frame_) {
       const auto ahead = static_cast<std::int32_t>(frame.sequence - last_sequence_);
-      if (ahead <= 0 || frame.t_exposure <= t_last_) return false;
-      counters_.dropped += static_cast<std::uint64_t>(ahead - 1);
+      if (frame.t_exposure <= t_last_ || (ahead <= 0 && !may_restart_)) return false;
+      if (ahead > 0) {
+        counters_.dropped += static_cast<std::uint64_t>(ahead - 1);
+        number_ += static_cast<std::uint32_t>(ahead);
+      } else {
+        ++number_;
+      }
     }
     any_frame_ = true;
+    may_restart_ = false;
+    refused_in_a_row_ = 0;
     last_sequence_ = frame.sequence;
     t_last_ = frame.t_exposure;
     return true;
   }
 
-  Tick publish(const typename Tracker::EstimateType& estimate, Tick done) noexcept {
+  Tick publish(typename Tracker::EstimateType estimate, Tick done) noexcept {
+    estimate.frame = number_;
     if (link_.publish(estimate) == Status::ok) return done;
     ++counters_.link_errors;
     return Tick::failed;
@@ -90,8 +99,13 @@ class RunLoop {
   Tracker& tracker_;
   std::chrono::milliseconds wait_;
   Counters counters_{};
+  static constexpr int kRefusalsToRestart = 10;  ///< then the camera counts anew, it does not stutter
+
   bool any_frame_{false};
-  std::uint32_t last_sequence_{};
+  int refused_in_a_row_{};
+  bool may_restart_{false};        ///< the camera was silent: its sequence may begin anew
+  std::uint32_t last_sequence_{};  ///< as the camera counts
+  std::uint32_t number_{};         ///< of the last frame, counted from 0 with its gaps
   Timestamp t_last_{};
 };
 

@@ -51,6 +51,8 @@ Result<Configuration<M, S>> from_numbers(const std::array<double, 7 + kNumJoints
   q.T_cam_obj.t = Vec<double, 3>{numbers[0], numbers[1], numbers[2]}.template cast<S>();
   q.T_cam_obj.R = r.normalized().template cast<S>();
   for (int i = 0; i < kNumJoints<M>; ++i) q.joints[i] = static_cast<S>(numbers[static_cast<std::size_t>(7 + i)]);
+  // A double beyond a float's range has become infinite.
+  if (!math::all_finite(q.T_cam_obj.t) || !math::all_finite(q.joints)) return Status::bad_argument;
   return q;
 }
 

@@ -8,12 +8,6 @@
 
 namespace articam::tracker {
 
-/// What a marker's image is taken for.
-enum class FeatureKind : std::uint8_t {
-  point,          ///< the projection of its centre, as in the paper
-  imaged_circle,  ///< the centre of its imaged ellipse
-};
-
 /// e = s - s_star and A with  edot = A qdot - s_star_dot (paper eq. 3, 4). Marker i has rows 2i and 2i + 1; they are
 /// zero, and so is their variance, where it has no match.
 ///

@@ -46,7 +46,7 @@ inline constexpr Gate<S> kSearchGate{S(160), S(0), S(2.5)};  // q0 may be far of
 /// The farthest that a detection's centre may be from a feature's, px.
 template <class S>
 S reach_px(const Feature<S>& feature, const Gate<S>& gate) noexcept {
-  return gate.distance_px + gate.diameters * S(2) * feature.radius_px;
+  return gate.distance_px + gate.diameters * S(2) * feature.radius_px + feature.spread_px;
 }
 
 /// The radius of the disc of the same area: the geometric mean of the semi-axes.
@@ -84,7 +84,7 @@ Matches<M, S> associate(const Features<M, S>& features, const vision::Detections
     const auto d = static_cast<std::size_t>(partner[f]);
     const auto s_star = camera.unproject(centre(d));
     if (!s_star.ok()) continue;
-    const S variance_px2 = S(vision::from_q16(static_cast<std::int32_t>(detections[d].centre_variance_q16)));
+    const S variance_px2 = static_cast<S>(detections[d].centre_variance_q16) / S(65536);
     matches[f] = {true, partner[f], centre(d), s_star.value(),
                   (variance_px2 + floor_px * floor_px) / (camera.focal_px() * camera.focal_px())};
   }

@@ -10,6 +10,7 @@ template <class M, class S>
 struct Consensus {
   Solution<M, S> solution{};
   int outlier{-1};
+  bool contradictory{};  ///< the matches disagree, and leaving out any one of them does not mend it
 };
 
 /// Mean squared normalised distance; 1 is what the detector's variances promise.
@@ -19,8 +20,8 @@ S per_equation(S chi2, int matched) noexcept {
 }
 
 /// Solves with all matches; if they contradict each other, solves again without each of them in turn and takes the
-/// cheapest solution that agrees within itself. A match is only blamed while the others still have more equations than
-/// unknowns: without redundancy nothing could tell which one lies, and all are kept.
+/// cheapest solution that agrees within itself. A match is only blamed while the others together still have more
+/// equations than unknowns: without redundancy nothing could tell which one lies, and all are kept.
 ///
 /// `consistent` is the largest mean squared normalised distance of good matches. `matches` loses the outlier.
 /// Work  at most 1 + p solutions.
@@ -41,6 +42,7 @@ Consensus<M, S> solve_with_consensus(Matches<M, S>& matches, const Prior<M, S>& 
     if (solution.status != Status::ok || per_equation(solution.chi2, matched - 1) > consistent) continue;
     if (best.outlier < 0 || solution.cost < best.solution.cost) best = {solution, static_cast<int>(i)};
   }
+  best.contradictory = best.outlier < 0;
   if (best.outlier >= 0) matches[static_cast<std::size_t>(best.outlier)].matched = false;
   return best;
 }

@@ -15,7 +15,7 @@ enum class TrackingStatus : std::uint8_t {
   tracking,      ///< every degree of freedom observed, even if a marker is missing
   degraded,      ///< some degrees of freedom weak or held, or a poor image
   coasting,      ///< nothing measured, predicted only
-  lost,          ///< nothing measured for longer than a prediction is worth
+  lost,          ///< for longer than a prediction is worth, nothing was measured that can be trusted
   fault,         ///< the input or the model cannot be right
 };
 
@@ -23,6 +23,7 @@ enum class Reason : std::uint8_t {
   none,
   no_start,        ///< neither a compiled-in q0 nor one given
   no_frame,        ///< the camera gave nothing in time
+  stale_frame,     ///< the frame is not later than the one before
   image_mismatch,  ///< the frame's size is not the camera file's
   few_markers,     ///< fewer matches than the unknowns need
   not_converged,   ///< the iterations still move
@@ -37,8 +38,9 @@ constexpr std::string_view name(TrackingStatus status) noexcept {
   return kNames[static_cast<std::size_t>(status)];
 }
 constexpr std::string_view name(Reason reason) noexcept {
-  constexpr std::string_view kNames[]{"none",          "no_start",       "no_frame", "image_mismatch", "few_markers",
-                                      "not_converged", "large_residual", "outlier",  "weak_joint",     "overload"};
+  constexpr std::string_view kNames[]{"none",           "no_start",    "no_frame",      "stale_frame",
+                                      "image_mismatch", "few_markers", "not_converged", "large_residual",
+                                      "outlier",        "weak_joint",  "overload"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -50,7 +52,7 @@ template <class Model, class S>
 struct Estimate {
   static constexpr int kDof = model::kDof<Model>;
 
-  std::uint32_t frame{};  ///< the camera's sequence number
+  std::uint32_t frame{};  ///< of the last frame taken, counted from 0, dropped ones included
   Timestamp t_capture{};  ///< mid-exposure
   TrackingStatus status{TrackingStatus::initialising};
   Reason reason{Reason::none};

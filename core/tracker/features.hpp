@@ -2,15 +2,23 @@
 /// @file  What the camera should see of a configuration.
 
 #include <array>
+#include <cstdint>
 
 #include "core/model/configuration.hpp"
 #include "core/model/forward_kinematics.hpp"
+#include "core/model/point_jacobian.hpp"
 #include "core/vision/camera_model.hpp"
 #include "core/vision/detection.hpp"
 #include "core/vision/image_view.hpp"
 #include "core/vision/imaged_circle.hpp"
 
 namespace articam::tracker {
+
+/// What a marker's image is taken for.
+enum class FeatureKind : std::uint8_t {
+  point,          ///< the projection of its centre, as in the paper
+  imaged_circle,  ///< the centre of its imaged ellipse
+};
 
 /// A marker as the predicted configuration shows it.
 template <class S>
@@ -19,6 +27,7 @@ struct Feature {
   vision::MarkKind kind{};
   Vec<S, 2> pixel{Vec<S, 2>::Zero()};  ///< centre of its image
   S radius_px{};                       ///< semi-major axis of its image
+  S spread_px{};  ///< how far beyond plain tracking's reach it may be, the joints being badly known
 };
 
 template <class M, class S>
@@ -44,24 +53,49 @@ vision::Circle<S> circle_in_camera(const Pose<S>& T_cam_obj, const model::Marker
 
 /// q -> every marker's image. Points without a mark are never visible.
 template <class M, class S>
-Features<M, S> predict_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera) noexcept {
+Features<M, S> predict_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera,
+                                FeatureKind kind = FeatureKind::imaged_circle) noexcept {
   Features<M, S> features{};
   const auto kinematics = model::forward_kinematics<M, S>(q.joints);
   for (std::size_t i = 0; i < features.size(); ++i) {
     const model::MarkerRow& row = M::kMarkers[i];
-    const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
+    auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
+    const S radius_m = circle.radius;
+    if (kind == FeatureKind::point) circle.radius = S(0);
     const auto s = vision::imaged_centre(circle);
     if (!s.ok() || row.kind == model::MarkerKind::point) continue;
     Feature<S>& feature = features[i];
     feature.kind = mark_kind(row.kind);
     feature.pixel = camera.project(s.value());
-    feature.radius_px = camera.focal_px() * circle.radius / circle.centre.z();
+    feature.radius_px = camera.focal_px() * radius_m / circle.centre.z();
     const auto& size = camera.parameters();
-    feature.visible = circle.normal.dot(circle.centre) < S(0) && feature.pixel.x() >= S(0) &&
-                      feature.pixel.x() < static_cast<S>(size.width_px) && feature.pixel.y() >= S(0) &&
-                      feature.pixel.y() < static_cast<S>(size.height_px);
+    feature.visible = circle.normal.dot(circle.centre) < S(0) && camera.in_domain(s.value()) &&
+                      feature.pixel.x() >= S(0) && feature.pixel.x() < static_cast<S>(size.width_px) &&
+                      feature.pixel.y() >= S(0) && feature.pixel.y() < static_cast<S>(size.height_px);
   }
   return features;
+}
+
+/// Sets every visible feature's spread_px: the sum of what each degree of freedom moves it by, `excess` being how much
+/// worse each is known than in plain tracking (m, rad).
+template <class M, class S>
+void spread_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera,
+                     const Vec<S, model::kDof<M>>& excess, Features<M, S>& features) noexcept {
+  if (excess.isZero(0)) return;
+  const auto kinematics = model::forward_kinematics<M, S>(q.joints);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (!features[i].visible) continue;
+    const model::MarkerRow& row = M::kMarkers[i];
+    const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
+    const auto L = vision::imaged_centre_interaction_matrix(circle);
+    if (!L.ok()) continue;
+    const Mat<S, 2, model::kDof<M>> A =
+        L.value().lazyProduct(model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body));
+    S sum{0};
+    for (int j = 0; j < model::kDof<M>; ++j) sum += A.col(j).norm() * excess[j];
+    const S most = static_cast<S>(camera.parameters().width_px);
+    features[i].spread_px = sum * camera.focal_px() < most ? sum * camera.focal_px() : most;
+  }
 }
 
 }  // namespace articam::tracker

@@ -20,8 +20,7 @@ class MotionPrior {
 
   void start(const Configuration& q0) noexcept {
     q_ = q0;
-    deviation_ =
-        spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
+    deviation_ = most();
     rates_.setZero();
     has_time_ = false;
   }
@@ -33,23 +32,20 @@ class MotionPrior {
     const S elapsed_s = static_cast<S>(span_s > 0 ? span_s : 0);
     const bool integrated = span_s > 0 && span_s <= options_.max_gap_s;
     t_ = t, has_time_ = true;
-    if (integrated) {
+    if (integrated && !rates_.isZero(0)) {  // at rest q keeps its bits
       const Rates step = rates_ * elapsed_s;
-      q_ = model::integrate<M, S>(q_, step);
+      q_ = within_limits(model::integrate<M, S>(q_, step));
     } else {
       rates_.setZero();
     }
-    const Rates least =
-        spread(options_.prior_base_m, options_.prior_base_rad, options_.prior_slide_m, options_.prior_turn_rad);
-    const Rates most =
-        spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
     const Rates growth =
         spread(options_.growth_base_m, options_.growth_base_rad, options_.growth_slide_m, options_.growth_turn_rad);
-    deviation_ = (deviation_ + growth * elapsed_s).cwiseMax(least).cwiseMin(most);
+    deviation_ = (deviation_ + growth * elapsed_s).cwiseMax(least()).cwiseMin(most());
     return integrated ? elapsed_s : S(0);
   }
 
-  /// A frame has been measured at the prior's time. `continuous` when the one before it was, too.
+  /// A frame has been measured at the prior's time. `continuous` when the one before it was, too. A degree of freedom
+  /// that the frame says nothing of (see is_weak) is taken to stand still: nothing would stop it from running away.
   void measured(const Configuration& q, const Mat<S, kDof, kDof>& covariance, S span_s, bool continuous) noexcept {
     if (continuous && span_s > S(0)) {
       const Rates surprise = model::difference(q_, q) / span_s;  // velocity beyond the predicted one
@@ -57,8 +53,16 @@ class MotionPrior {
     } else {
       rates_.setZero();
     }
+    for (int i = 0; i < kDof; ++i) {
+      if (is_weak(covariance, i)) rates_[i] = S(0);
+    }
     q_ = q;
     for (int i = 0; i < kDof; ++i) deviation_[i] = std::sqrt(covariance(i, i));
+  }
+
+  /// Half the prior's deviation is left: the frame has said less of this degree of freedom than was known without it.
+  bool is_weak(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
+    return !(covariance(i, i) < S(0.25) * deviation_[i] * deviation_[i]);
   }
 
   /// Nothing is known of the motion any more: the mean stays where it is.
@@ -68,11 +72,11 @@ class MotionPrior {
   const Rates& rates() const noexcept { return rates_; }
   Prior<M, S> prior() const noexcept { return {q_, deviation_.cwiseAbs2()}; }
 
-  /// As wide as before anything was seen, around the present mean.
-  Prior<M, S> wide_prior() const noexcept {
-    return {q_, spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad)
-                    .cwiseAbs2()};
-  }
+  /// How much wider the prior is than in plain tracking, m and rad.
+  Rates excess() const noexcept { return (deviation_ - least()).cwiseMax(S(0)); }
+
+  /// Takes back all that is known of how near the mean is: as wide as before anything was seen.
+  void widen() noexcept { deviation_ = most(); }
 
  private:
   /// Share of a velocity surprise that is believed: the noise of a difference of two frames is damped to a third while
@@ -88,6 +92,23 @@ class MotionPrior {
       spread[6 + j] = static_cast<S>(slides ? slide_m : turn_rad);
     }
     return spread;
+  }
+
+  Rates least() const noexcept {
+    return spread(options_.prior_base_m, options_.prior_base_rad, options_.prior_slide_m, options_.prior_turn_rad);
+  }
+  Rates most() const noexcept {
+    return spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
+  }
+
+  /// A prediction does not carry a joint beyond its limits.
+  static Configuration within_limits(Configuration q) noexcept {
+    for (int j = 0; j < model::kNumJoints<M>; ++j) {
+      const auto& row = M::kJoints[static_cast<std::size_t>(j)];
+      const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max);
+      q.joints[j] = q.joints[j] < low ? low : (q.joints[j] > high ? high : q.joints[j]);
+    }
+    return q;
   }
 
   Options options_;

@@ -11,8 +11,8 @@ enum class Mode : std::uint8_t {
 };
 
 /// lambda(||e||) = (l0 - linf) exp(-slope ||e|| / (l0 - linf)) + linf: high when the error is low.
-/// The paper gives the two gains (section V); the form and the slope are ours. With slope 60, an error of 0.05 on the
-/// metric plane (26 px at f = 525) is half way between them.
+/// The paper gives the two gains (section V); the form and the slope are ours. With slope 60, an error of 0.035 on
+/// the metric plane (18 px at f = 525) is half way between them.
 struct GainProfile {
   double at_zero{5};      ///< l0, 1/s
   double at_infinity{2};  ///< linf, 1/s

@@ -8,6 +8,7 @@
 #include "core/tracker/estimate.hpp"
 #include "core/tracker/judge.hpp"
 #include "core/tracker/motion_prior.hpp"
+#include "core/tracker/noise_scale.hpp"
 #include "core/tracker/options.hpp"
 #include "core/tracker/paper_law.hpp"
 #include "core/vision/detector.hpp"
@@ -30,11 +31,12 @@ class Tracker {
   /// Where to begin. Forgets what was tracked.
   void set_start(const Configuration& q0) noexcept;
 
-  /// Image at its mid-exposure time t -> estimate. `t` must not be before the last one.
+  /// Image at its mid-exposure time t -> estimate. A frame that is not later than the last one, or not of the camera
+  /// file's size, is refused: coast(t) with that reason, nothing changed.
   EstimateType step(const ImageView& image, Timestamp t) noexcept;
 
-  /// The estimate at a time at which the camera gave nothing.
-  EstimateType coast(Timestamp t) noexcept;
+  /// The estimate at a time at which the camera gave nothing, or nothing that can be used. Changes nothing.
+  EstimateType coast(Timestamp t, Reason reason = Reason::no_frame) const noexcept;
 
   const vision::Detections& detections() const noexcept { return detections_; }
   const Matches<Model, Scalar>& matches() const noexcept { return matches_; }
@@ -43,23 +45,26 @@ class Tracker {
 
  private:
   static constexpr int kDof = model::kDof<Model>;
+  static_assert(model::kNumMarkers<Model> <= static_cast<int>(kMaxDetections), "one detection for each marker");
   static constexpr int kMaxIterations = 12;
   static constexpr int kSearchRounds = 4;        ///< pairings tried in one frame while q0 is being improved
-  static constexpr int kScaleFrames = 100;       ///< memory of the noise scale
   static constexpr double kPaperMaxRms_px = 20;  ///< the paper's law lags by many pixels and knows no residual
   /// Mean squared normalised distance above which a frame's matches contradict each other.
   static constexpr Scalar kConsistent{9};
 
+  Reason refusal(const ImageView& image, Timestamp t) const noexcept;
   void begin(Timestamp t) noexcept;
-  bool fits(const ImageView& image) noexcept;
   void look(const ImageView& image) noexcept;
   void match(const Gate<Scalar>& gate) noexcept;
-  void iterate(const Prior<Model, Scalar>& prior) noexcept;
+  void iterate() noexcept;
   void search() noexcept;
   void paper_step() noexcept;
   void weigh() noexcept;
-  EstimateType judge(const Evidence& evidence, Timestamp t) noexcept;
+  EstimateType judge(Timestamp t) noexcept;
   Scalar rms_px() const noexcept;
+  FeatureKind feature_kind() const noexcept {
+    return options_.mode == Mode::paper ? FeatureKind::point : FeatureKind::imaged_circle;
+  }
 
   Options options_;
   vision::CameraModel<Scalar> camera_;
@@ -67,13 +72,15 @@ class Tracker {
   Judge judge_;
   MotionPrior<Model, Scalar> motion_;
   PaperIntegrator<Model, Scalar> paper_;
+  NoiseScale<Scalar> noise_{};
   bool has_start_{false};
-  Scalar noise_scale_{1};  ///< measured : promised variance of the matches, over many frames
-  int frames_in_scale_{0};
-  Vec<Scalar, kDof> qdot_ = Vec<Scalar, kDof>::Zero();
+  bool any_frame_{false};
+  Timestamp t_frame_{};  ///< of the last frame that was not refused
 
   // Buffers of one frame.
+  bool following_{};  ///< there is a recent estimate; otherwise the whole frame is searched
   Configuration q_{};
+  Vec<Scalar, kDof> paper_rates_ = Vec<Scalar, kDof>::Zero();  ///< of the paper's last step
   Scalar period_s_{};
   Scalar rms_px_{};
   vision::Detections detections_{};

@@ -95,7 +95,8 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
                      int max_iterations) noexcept {
   // In standard deviations: such a step is lost in the noise. In float, rounding of s alone makes 6e-3 of 0.005 px.
   constexpr S kStill = sizeof(S) == 4 ? S(3e-2) : S(1e-3);
-  constexpr S kRounding = sizeof(S) == 4 ? S(1e-4) : S(1e-10);  // relative noise of the cost
+  // Rounding of the cost: relative where it is large, and near the optimum what the rounding of s makes of it.
+  constexpr S kRelative = sizeof(S) == 4 ? S(1e-4) : S(1e-10), kAbsolute = sizeof(S) == 4 ? S(1e-2) : S(1e-9);
   Solution<M, S> solution;
   solution.q = start;
   Normal<M, S> normal, trial;
@@ -110,9 +111,11 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
     bool better = false;
     if (damped_step<M, S>(normal, damping, step) == Status::ok) {
       const auto q = model::integrate<M, S>(solution.q, step);
-      better = linearise(matches, prior, q, trial) == Status::ok && trial.cost <= normal.cost * (S(1) + kRounding);
+      better = linearise(matches, prior, q, trial) == Status::ok &&
+               trial.cost <= normal.cost * (S(1) + kRelative) + kAbsolute;
       if (better) {
-        solution.converged = -step.dot(normal.g) < kStill * kStill;  // step^T H step
+        // step^T H step; a step that damping holds back tells nothing
+        solution.converged = damping <= S(1e-3) && -step.dot(normal.g) < kStill * kStill;
         solution.q = q;
         normal = trial;
       }

@@ -34,6 +34,7 @@ struct BrokenLink {
 class RunLoop : public testing::Test {
  protected:
   Tick show(std::uint32_t sequence, double t_s) {
+    clock_.set(from_seconds(t_s));
     camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(t_s), sequence});
     return loop_.run_once();
   }
@@ -50,20 +51,38 @@ class RunLoop : public testing::Test {
 TEST_F(RunLoop, GivesOneEstimateAFrameWithItsNumberAndCaptureTime) {
   EXPECT_EQ(show(7, 1.5), Tick::estimated);
   EXPECT_EQ(link_.published(), 1u);
-  EXPECT_EQ(link_.latest().frame, 7u);
+  EXPECT_EQ(link_.latest().frame, 0u);
   EXPECT_EQ(link_.latest().t_capture, from_seconds(1.5));
+  (void)show(9, 1.6);
+  EXPECT_EQ(link_.latest().frame, 2u);  // counted from the first one, the dropped one included
 }
 
-TEST_F(RunLoop, RefusesDuplicatesAndFramesOutOfOrderWithoutTouchingTheTracker) {
+TEST_F(RunLoop, RefusesDuplicatesAndFramesOutOfOrderWithoutAStepAndSpeaksAllTheSame) {
   (void)show(7, 1.5);
   EXPECT_EQ(show(7, 1.6), Tick::refused);  // the same number
   EXPECT_EQ(show(6, 1.6), Tick::refused);  // an older one
   EXPECT_EQ(show(8, 1.5), Tick::refused);  // the same stamp
   EXPECT_EQ(show(8, 1.4), Tick::refused);  // an older one
   EXPECT_EQ(tracker_.steps, 1);
-  EXPECT_EQ(link_.published(), 1u);
+  EXPECT_EQ(link_.published(), 5u);
+  EXPECT_TRUE(link_.latest().coasted);
   EXPECT_EQ(loop_.counters().refused, 4u);
+  EXPECT_EQ(show(8, 1.7), Tick::estimated);
+}
+
+TEST_F(RunLoop, RefusesAFrameOfTheFutureAndGoesOnWithTheNext) {
+  (void)show(7, 1.5);
+  camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(99), 8});
+  EXPECT_EQ(loop_.run_once(), Tick::refused);
   EXPECT_EQ(show(8, 1.6), Tick::estimated);
+}
+
+TEST_F(RunLoop, TakesACameraThatWasPluggedInAgainAndCountsFromZero) {
+  (void)show(700, 1.5);
+  EXPECT_EQ(loop_.run_once(), Tick::coasted);
+  EXPECT_EQ(show(0, 2.0), Tick::estimated);
+  EXPECT_EQ(show(0, 2.1), Tick::refused);
+  EXPECT_EQ(link_.latest().frame, 1u);
 }
 
 TEST_F(RunLoop, CountsTheFramesThatAGapInTheSequenceSwallowed) {
@@ -83,7 +102,7 @@ TEST_F(RunLoop, SpeaksAlsoWhenTheCameraIsSilent) {
   clock_.set(from_seconds(1.1));
   EXPECT_EQ(loop_.run_once(), Tick::coasted);
   EXPECT_TRUE(link_.latest().coasted);
-  EXPECT_EQ(link_.latest().frame, 7u);
+  EXPECT_EQ(link_.latest().frame, 0u);
   EXPECT_EQ(link_.latest().t_capture, from_seconds(1.1));
   EXPECT_EQ(loop_.counters().timeouts, 1u);
 }
@@ -91,6 +110,7 @@ TEST_F(RunLoop, SpeaksAlsoWhenTheCameraIsSilent) {
 TEST_F(RunLoop, ReportsALinkThatFails) {
   BrokenLink broken;
   hal::RunLoop loop{camera_, clock_, broken, tracker_, std::chrono::milliseconds{40}};
+  clock_.set(from_seconds(1));
   camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(1), 0});
   EXPECT_EQ(loop.run_once(), Tick::failed);
   EXPECT_EQ(loop.counters().link_errors, 1u);

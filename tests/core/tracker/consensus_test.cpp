@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "static_models/registry.hpp"
 #include "tests/support/observe.hpp"
 
@@ -42,6 +44,15 @@ TEST(Consensus, BlamesNobodyWhenAllAgree) {
     EXPECT_EQ(tracker::solve_with_consensus(matches, tracking_prior(truth), truth, 9.0, 20).outlier, -1);
     EXPECT_EQ((tracker::count<M, double>(matches)), 6);
   }
+}
+
+TEST(Consensus, SaysThatTwoWildMarkersContradictTheOthers) {
+  const auto truth = test::nominal_printer<M, double>();
+  auto matches = test::observe<M, double>(truth, tracker::FeatureKind::imaged_circle, kNoise_px);
+  std::swap(matches[0].s_star, matches[1].s_star);
+  const auto found = tracker::solve_with_consensus(matches, tracking_prior(truth), truth, 9.0, 20);
+  EXPECT_EQ(found.outlier, -1);
+  EXPECT_TRUE(found.contradictory);
 }
 
 TEST(Consensus, BlamesNobodyWithoutSpareEquations) {

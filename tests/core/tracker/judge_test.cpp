@@ -10,7 +10,7 @@ using tracker::Evidence;
 using tracker::Judge;
 using tracker::Reason;
 
-constexpr Evidence kGood{.matched = 6, .redundant = true, .converged = true, .agrees = true};
+constexpr Evidence kGood{.matched = 6, .complete = true, .redundant = true, .converged = true, .agrees = true};
 Timestamp at(double t_s) { return from_seconds(t_s); }
 
 TEST(Judge, TracksFromTheFirstGoodFrame) {
@@ -20,9 +20,8 @@ TEST(Judge, TracksFromTheFirstGoodFrame) {
   EXPECT_EQ(verdict.reason, Reason::none);
 }
 
-TEST(Judge, InitialisesUntilThereIsAStartAndEnoughToSee) {
+TEST(Judge, InitialisesUntilThereIsEnoughToSee) {
   Judge judge{{}};
-  EXPECT_EQ(judge.decide({.has_start = false}, at(0)).reason, Reason::no_start);
   Evidence few = kGood;
   few.matched = 3, few.redundant = false;
   const auto verdict = judge.decide(few, at(0.1));
@@ -43,10 +42,41 @@ TEST(Judge, CoastsForTheStatedTimeAndIsLostThen) {
 
 TEST(Judge, CountsAStalledCameraAsNothingMeasured) {
   Judge judge{{}};
+  EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(0)).status, initialising);
   (void)judge.decide(kGood, at(0));
-  const auto verdict = judge.decide({.has_frame = false}, at(0.1));
-  EXPECT_EQ(verdict.status, coasting);
-  EXPECT_EQ(verdict.reason, Reason::no_frame);
+  EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(0.1)).status, coasting);
+  EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(0.1)).reason, Reason::no_frame);
+  EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(0.6)).status, lost);
+}
+
+TEST(Judge, FollowsWhatCannotCheckItselfNoLongerThanItCoasts) {
+  Judge judge{{}};
+  (void)judge.decide(kGood, at(0));
+  const Evidence one{.matched = 1, .converged = true, .agrees = true, .weak = true};
+  EXPECT_EQ(judge.decide(one, at(0.3)).status, degraded);
+  EXPECT_EQ(judge.decide(one, at(0.6)).status, lost);
+}
+
+TEST(Judge, IsDegradedWhereTheMatchesContradictEachOtherWithinTheResidualsBound) {
+  Judge judge{{}};
+  Evidence swapped = kGood;
+  swapped.contradictory = true;
+  EXPECT_EQ(judge.decide(swapped, at(0)).status, degraded);
+  EXPECT_EQ(judge.decide(swapped, at(0)).reason, Reason::large_residual);
+}
+
+TEST(Judge, NamesAnOverloadedFrameAndIterationsThatStillMove) {
+  Judge judge{{}};
+  Evidence moving = kGood;
+  moving.converged = false;
+  EXPECT_EQ(judge.decide(moving, at(0)).reason, Reason::not_converged);
+  EXPECT_EQ(judge.decide(moving, at(0)).status, initialising);
+  (void)judge.decide(kGood, at(0.1));
+  EXPECT_EQ(judge.decide(moving, at(0.2)).status, degraded);
+  Evidence overload = kGood;
+  overload.overloaded = true;
+  EXPECT_EQ(judge.decide(overload, at(0.3)).status, degraded);
+  EXPECT_EQ(judge.decide(overload, at(0.3)).reason, Reason::overload);
 }
 
 TEST(Judge, IsDegradedWhereAJointIsHeldAndTrackingWhereOnlyAMarkerIsMissing) {
@@ -75,13 +105,15 @@ TEST(Judge, NeverGivesAResidualThatDoesNotFitForAnEstimateAndCallsALastingOneAFa
   for (int i = 2; i <= 30; ++i) verdict = judge.decide(misfit, at(0.03 * i));
   EXPECT_EQ(verdict.status, fault);
   EXPECT_EQ(verdict.reason, Reason::large_residual);
+  EXPECT_EQ(judge.decide(kGood, at(2)).status, tracking);
 }
 
-TEST(Judge, CallsAnImageOfAnotherSizeAFault) {
+TEST(Judge, CallsClutterInPlaceOfAnAbsentObjectNoFault) {
   Judge judge{{}};
-  const auto verdict = judge.decide({.frame_fits = false}, at(0));
-  EXPECT_EQ(verdict.status, fault);
-  EXPECT_EQ(verdict.reason, Reason::image_mismatch);
+  (void)judge.decide(kGood, at(0));
+  Evidence clutter = kGood;
+  clutter.agrees = false, clutter.complete = false;
+  for (int i = 1; i < 100; ++i) EXPECT_NE(judge.decide(clutter, at(0.03 * i)).status, fault);
 }
 
 }  // namespace

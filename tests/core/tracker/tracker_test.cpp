@@ -9,6 +9,7 @@
 #include "hal/firmware.hpp"
 #include "host_sim/scenarios/paper.hpp"
 #include "host_sim/world/renderer.hpp"
+#include "tests/support/paper_transcription.hpp"
 #include "tests/support/test_arm.hpp"
 
 namespace articam {
@@ -98,13 +99,69 @@ TEST_F(PrinterTracker, CoastsWithGrowingCovarianceIsLostThenAndStandsStillUntilI
   EXPECT_EQ(see().status, tracking);
 }
 
-TEST_F(PrinterTracker, CallsAnImageOfAnotherSizeAFaultAndGoesOnAfterIt) {
+TEST_F(PrinterTracker, RefusesAFrameThatCannotBeUsedAndIsTheSameAfterItBitForBit) {
   track();
-  const auto fault_estimate = tracker_->step({pixels_.data(), 320, 240, 640}, from_seconds(1));
-  EXPECT_EQ(fault_estimate.status, fault);
-  EXPECT_EQ(fault_estimate.reason, Reason::image_mismatch);
-  k_ = 31;
-  EXPECT_EQ(see().status, tracking);
+  const auto other = std::make_unique<Tracker>(*tracker_);
+  const Timestamp soon = from_seconds(0.16);
+  EXPECT_EQ(tracker_->step({pixels_.data(), 320, 240, 640}, soon).reason, Reason::image_mismatch);
+  EXPECT_EQ(tracker_->step({nullptr, 640, 480, 640}, soon).reason, Reason::image_mismatch);
+  EXPECT_EQ(tracker_->step({pixels_.data(), 640, 480, 639}, soon).reason, Reason::image_mismatch);
+  EXPECT_EQ(tracker_->step({pixels_.data(), 640, 480, 640}, from_seconds(0.1)).reason, Reason::stale_frame);
+  EXPECT_EQ(tracker_->step({pixels_.data(), 320, 240, 640}, soon).status, coasting);
+  const auto after = see();
+  EXPECT_EQ(after.status, tracking);
+  const auto undisturbed = other->step({pixels_.data(), 640, 480, 640}, after.t_capture);
+  EXPECT_TRUE(after.q.joints == undisturbed.q.joints && after.covariance == undisturbed.covariance);
+}
+
+TEST_F(PrinterTracker, CallsAFirstImageOfAnotherSizeAFault) {
+  pixels_.resize(320 * 240);
+  const auto estimate = tracker_->step({pixels_.data(), 320, 240, 320}, from_seconds(0));
+  EXPECT_EQ(estimate.status, fault);
+  EXPECT_EQ(estimate.reason, Reason::image_mismatch);
+  EXPECT_FALSE(estimate.valid);
+}
+
+TEST_F(PrinterTracker, HoldsADrawerThatIsHiddenWhileItMovesAndFindsItAgainElsewhere) {
+  k_ = 6 * 30;  // it opens
+  const auto at_now = [&] { return Scenario::at(static_cast<double>(k_) / 30).q; };
+  const auto moving = [&](bool hidden) {
+    return see([&](Markers& markers) {
+      markers = sim::scene_markers<M>(at_now());
+      if (hidden) markers.resize(4);
+    });
+  };
+  Estimate last;
+  for (int i = 0; i < 15; ++i) last = moving(false);
+  ASSERT_EQ(last.status, tracking) << name(last.reason);
+  const double held = last.q.joints[0];
+  double deviation = 0;
+  for (int i = 0; i < 60; ++i) {
+    last = moving(true);
+    ASSERT_EQ(last.status, degraded) << i << name(last.reason);
+    EXPECT_EQ(last.reason, Reason::weak_joint);
+    EXPECT_NEAR(last.q.joints[0], held, 0.005);  // one predicted step of 50 mm/s, then it stands
+    EXPECT_GE(last.covariance(6, 6), deviation);
+    deviation = last.covariance(6, 6);
+  }
+  const double truth = at_now().joints[0];
+  EXPECT_GT(std::abs(truth - held), 0.02);  // it has gone on meanwhile ...
+  EXPECT_LT(std::abs(truth - last.q.joints[0]), 3 * std::sqrt(deviation));
+  const double found = at_now().joints[0];
+  last = moving(false);
+  EXPECT_EQ(last.status, tracking) << name(last.reason);  // ... and is found where it is
+  EXPECT_NEAR(last.q.joints[0], found, 2e-4);
+}
+
+TEST_F(PrinterTracker, DoesNotCallTwoMarkersThatHaveComeOffTracking) {
+  track();
+  const auto estimate = see([](Markers& markers) {
+    markers[0].centre_cam_m.y() += 0.0015;  // 1 px each, apart
+    markers[2].centre_cam_m.y() -= 0.0015;
+    markers[1].centre_cam_m.x() -= 0.0015;
+  });
+  EXPECT_NE(estimate.status, tracking);
+  EXPECT_EQ(estimate.reason, Reason::large_residual);
 }
 
 TEST_F(PrinterTracker, CoastsOnATickWithoutAFrameAndLeavesTheNextFrameItsOwnTime) {
@@ -132,9 +189,24 @@ TEST_F(PrinterTracker, GivesTheTransientOfThePapersModeAsInitialising) {
   EXPECT_LT(std::abs(drawer_error_mm(last)), 0.5);  // the projected centre for the ellipse's: ANCHORS' bias, 0.2 px
 }
 
+TEST_F(PrinterTracker, InPapersModeFollowsTheTranscriptionOfEquations5And6FromFrameToFrame) {
+  const tracker::Options options{.mode = tracker::Mode::paper};
+  tracker_ = std::make_unique<Tracker>(Scenario::camera(), options);
+  test::paper::Paper paper{test::paper::numbers(model::from_numbers<M, double>(M::kQ0).value())};
+  for (int i = 0; i < 60; ++i) {
+    const auto estimate = see();
+    ASSERT_EQ(estimate.matched, 6) << i;
+    Eigen::Matrix<double, 12, 1> s_star;
+    for (int m = 0; m < 6; ++m) s_star.segment<2>(2 * m) = tracker_->matches()[static_cast<std::size_t>(m)].s_star;
+    const double period_s = i == 0 ? 0.0 : seconds_between(from_seconds((i - 1) / 30.0), estimate.t_capture);
+    paper.step(s_star, options.gain.slope, period_s);
+    ASSERT_LT((test::paper::numbers(estimate.q) - paper.q()).cwiseAbs().maxCoeff(), 1e-12) << "frame " << i;
+  }
+}
+
 TEST(Tracker, WithoutAStartSaysSoAndTouchesNoPixel) {
-  tracker::Tracker<test::Arm, float> tracker{Scenario::camera()};
-  const auto estimate = tracker.step({}, from_seconds(0));
+  const auto tracker = std::make_unique<tracker::Tracker<test::Arm, float>>(Scenario::camera());
+  const auto estimate = tracker->step({}, from_seconds(0));
   EXPECT_EQ(estimate.status, initialising);
   EXPECT_EQ(estimate.reason, Reason::no_start);
   EXPECT_FALSE(estimate.valid);
