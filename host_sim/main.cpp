@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "hal/firmware.hpp"
@@ -18,12 +20,12 @@
 #include "hal/replay/pgm.hpp"
 #include "hal/run_loop.hpp"
 #include "hal/timed_tracker.hpp"
+#include "host_sim/ports/keeping_camera.hpp"
 #include "host_sim/ports/recording_link.hpp"
 #include "host_sim/ports/sim_camera.hpp"
 #include "host_sim/progress_bar.hpp"
-#include "host_sim/report/camera_picture.hpp"
-#include "host_sim/report/report_html.hpp"
-#include "host_sim/report/truth_csv.hpp"
+#include "host_sim/report/run_folder.hpp"
+#include "host_sim/report/scenario_run.hpp"
 #include "host_sim/scenarios/paper.hpp"
 
 namespace articam::sim {
@@ -39,24 +41,16 @@ struct Arguments {
   RenderOptions rendering;
 };
 
-/// The simulated camera; keeps each frame as a file where a folder is given.
-class KeepingCamera {
- public:
-  KeepingCamera(SimCamera& camera, std::string folder) : camera_{camera}, folder_{std::move(folder)} {}
+using Camera = KeepingCamera<SimCamera>;
+static_assert(hal::CameraPort<Camera>);
 
-  Status start() noexcept { return camera_.start(); }
-  Status acquire(hal::Frame& out, std::chrono::milliseconds wait) noexcept {
-    const Status status = camera_.acquire(out, wait);
-    if (status != Status::ok || folder_.empty()) return status;
-    return hal::write_pgm(fs::path{folder_} / fmt::format("frame_{:06}.pgm", out.sequence), out.pixels, problem_);
-  }
-  void release(hal::Frame& frame) noexcept { camera_.release(frame); }
-  const std::string& problem() const noexcept { return problem_; }
-
- private:
-  SimCamera& camera_;
-  std::string folder_, problem_;
-};
+/// Writes each frame as a file, where a folder is given.
+Camera::Keep keep_in(const fs::path& folder) {
+  if (folder.empty()) return {};
+  return [folder](const hal::Frame& frame, std::string& problem) {
+    return hal::write_pgm(folder / fmt::format("frame_{:06}.pgm", frame.sequence), frame.pixels, problem);
+  };
+}
 
 /// estimates.csv and the record of the report, from one loop.
 template <class Scenario, class Tracker>
@@ -80,95 +74,22 @@ int fail(const std::string& why) {
   return 1;
 }
 
-template <class Scenario>
-RunRecord describe(const Arguments& arguments) {
-  using Model = typename Scenario::Model;
-  RunRecord run;
-  run.scenario = Scenario::kName;
-  run.mode = arguments.mode;
-  run.seed = arguments.rendering.seed;
-  run.noise_grey = arguments.rendering.noise_grey;
-  run.blur_px = arguments.rendering.blur_px;
-  run.rest_s = Scenario::kRest_s;
-  run.degrees_of_freedom = model::kDof<Model>;
-  for (const model::JointRow& joint : Model::kJoints) {
-    run.joint_names.emplace_back(joint.name);
-    run.joint_is_length.push_back(joint.kind == model::JointKind::prismatic);
-  }
-  return run;
-}
-
-void print_summary(const RunRecord& run, const Metrics& metrics, const fs::path& out) {
-  const auto tracked = metrics.frames_by_status[static_cast<std::size_t>(tracker::TrackingStatus::tracking)];
-  fmt::print("scenario {}, mode {}, seed {}\n", run.scenario, run.mode, run.seed);
-  fmt::print("  frames tracked      {} of {}\n", tracked, run.frames.size());
-  for (const JointMetrics& joint : metrics.joints) {
-    fmt::print("  {:<19} RMS {:.3f} {}", joint.name, joint.rms, joint.is_length ? "mm" : "mrad");
-    if (const auto& lag = joint.lag_ms) {
-      fmt::print(", lag {:.2f} ms ({:.2f} to {:.2f})", lag->value, lag->low, lag->high);
-    }
-    fmt::print("\n");
-  }
-  fmt::print("  base                RMS {:.3f} mm, {:.3f} deg\n", metrics.position_rms_mm, metrics.orientation_rms_deg);
-  if (const auto& rate = metrics.decay_rate_per_s) {
-    fmt::print("  convergence         {:.2f} 1/s ({:.2f} to {:.2f})\n", rate->value, rate->low, rate->high);
-  }
-  fmt::print("  image to estimate   {:.2f} ms (median), {:.2f} ms (99 %)\n", metrics.step_median_ms,
-             metrics.step_p99_ms);
-  fmt::print("  report              {}\n", (out / "report.html").string());
-}
-
-Status write_whole(const fs::path& path, const std::string& content, std::string& problem) {
+std::string write_whole(const fs::path& path, const std::string& content) {
   hal::WholeFile file;
-  Status status = file.open(path.string());
-  if (status == Status::ok) status = file.write(content);
-  if (status == Status::ok) status = file.close();
-  problem = file.problem();
-  return status;
+  const bool written =
+      file.open(path.string()) == Status::ok && file.write(content) == Status::ok && file.close() == Status::ok;
+  return written ? std::string{} : file.problem();
 }
 
-/// A frame from the middle of the run, with what was estimated there.
-template <class Scenario>
-std::string picture(Renderer& renderer, const FrameRecord& frame) {
-  using Model = typename Scenario::Model;
-  std::vector<std::uint8_t> pixels;
-  renderer.render(scene_markers<Model>(Scenario::at(frame.t_s).q), frame.frame, pixels);
-  std::vector<SceneMarker> outlined;
-  if (frame.estimate) {
-    model::Configuration<Model, double> q;
-    q.T_cam_obj = frame.estimate->T_cam_obj;
-    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
-      q.joints[j] = frame.estimate->joints[static_cast<std::size_t>(j)];
-    }
-    outlined = scene_markers<Model>(q);
-  }
-  const CameraParameters& camera = renderer.camera();
-  return camera_picture({pixels.data(), camera.width_px, camera.height_px, camera.width_px}, camera, outlined);
-}
-
-/// truth.csv and metrics.json first: they do not need gnuplot.
 template <class Scenario>
 int report(const RunRecord& run, Renderer& renderer, const fs::path& out) {
   const Metrics metrics = evaluate(run);
-  std::string problem;
-  if (write_whole(out / "truth.csv", truth_csv(run), problem) != Status::ok ||
-      write_whole(out / "metrics.json", metrics_json(run, metrics), problem) != Status::ok) {
-    return fail(problem);
-  }
-  std::error_code ignored;
-  fs::remove(out / "report.html", ignored);  // without gnuplot, an old page must not stand beside new numbers
-  std::vector<Figure> figures;
-  if (draw_figures(run, figures) != Status::ok) {
-    return fail(
-        fmt::format("no report.html: the program gnuplot is missing or failed (Debian: apt-get install gnuplot-nox). "
-                    "The CSV files and metrics.json in {} are complete.",
-                    out.string()));
-  }
   const FrameRecord& middle = run.frames[run.frames.size() / 2];
-  const std::string page = report_html(run, metrics, picture<Scenario>(renderer, middle), middle.t_s, figures);
-  if (write_whole(out / "report.html", page, problem) != Status::ok) return fail(problem);
-  print_summary(run, metrics, out);
-  return 0;
+  const std::string picture = picture_of<Scenario>(middle, renderer);
+  const std::string problem = write_report(out, run, metrics, picture, middle.t_s, write_whole);
+  if (!problem.empty()) return fail(problem);
+  fmt::print("{}  report              {}\n", summary(run, metrics), (out / "report.html").string());
+  return std::fflush(stdout) == 0 ? 0 : fail(fmt::format("standard output: {}", std::strerror(errno)));
 }
 
 template <class Scenario>
@@ -185,19 +106,19 @@ int simulate(const Arguments& arguments) {
   tracker::Options tracker_options;
   if (arguments.mode == "paper") tracker_options.mode = tracker::Mode::paper;
 
-  RunRecord run = describe<Scenario>(arguments);
+  RunRecord run = describe<Scenario>(arguments.mode, arguments.rendering);
   run.frames.reserve(camera_options.num_frames);
   Renderer renderer{Scenario::camera(), arguments.rendering};
   SimClock clock;
   SimCamera sim_camera{renderer, [](double t_s) { return scene_markers<Model>(Scenario::at(t_s).q); }, clock,
                        camera_options};
-  KeepingCamera camera{sim_camera, arguments.frames_out};
+  Camera camera{sim_camera, keep_in(arguments.frames_out)};
   const auto tracker = std::make_unique<Tracker>(Scenario::camera(), tracker_options);
   const hal::MonotonicClock host_clock;  // steps are measured in real time
   hal::TimedTracker timed_tracker{*tracker, host_clock};
   Links<Scenario, Tracker> links{{}, {*tracker, run}, timed_tracker, run};
   if (links.file.open((fs::path{arguments.out} / "estimates.csv").string()) != Status::ok) {
-    return fail(links.file.whole_file().problem());
+    return fail(links.file.problem());
   }
 
   hal::RunLoop loop{camera, clock, links, timed_tracker, kWait};
@@ -206,12 +127,12 @@ int simulate(const Arguments& arguments) {
     ProgressBar bar{camera_options.num_frames};
     for (hal::Tick tick = loop.run_once(); tick != hal::Tick::ended; tick = loop.run_once()) {
       if (tick == hal::Tick::failed) {
-        return fail(camera.problem().empty() ? links.file.whole_file().problem() : camera.problem());
+        return fail(camera.problem().empty() ? links.file.problem() : camera.problem());
       }
       bar.show(run.frames.size());
     }
   }
-  if (links.file.close() != Status::ok) return fail(links.file.whole_file().problem());
+  if (links.file.close() != Status::ok) return fail(links.file.problem());
   return report<Scenario>(run, renderer, arguments.out);
 }
 

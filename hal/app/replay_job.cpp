@@ -5,9 +5,10 @@
 namespace articam::app {
 namespace {
 
+/// The value below which a share of them lies, the nearest one; 0 of none. As in host_sim/report/metrics.cpp.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), values.begin() + k, values.end());
   return values[static_cast<std::size_t>(k)];
 }
@@ -24,6 +25,20 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
     numbers.push_back(x);
   }
   return numbers;
+}
+
+std::string why_no_start(const std::vector<double>& numbers) {
+  constexpr double kFarthest = 1e6;  // m or rad, as for the drawing of an object
+  const auto far = [](double x) { return std::abs(x) > kFarthest; };
+  if (std::any_of(numbers.begin(), numbers.end(), far)) return fmt::format("a number is beyond {:g}", kFarthest);
+  if (!(numbers[2] > 0)) return "pz is not positive: the base is not in front of the camera";
+  return {};
+}
+
+std::string create_folder(const std::string& path) {
+  std::error_code error;
+  if (!path.empty()) std::filesystem::create_directories(path, error);
+  return error ? path + ": " + error.message() : std::string{};
 }
 
 void Summary::add(tracker::TrackingStatus status, double rms_px, int matched, double step_s,

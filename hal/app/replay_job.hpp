@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -35,6 +40,12 @@ struct ReplayOptions {
 
 /// Numbers separated by white space, in any locale; nothing where the text holds anything else.
 std::optional<std::vector<double>> parse_numbers(const std::string& text);
+
+/// Why a tracker cannot start there, or nothing. At least the three numbers of the base's position.
+std::string why_no_start(const std::vector<double>& numbers);
+
+/// Returns what went wrong, or nothing; an empty path is nothing to do.
+std::string create_folder(const std::string& path);
 
 /// What the summary counts.
 class Summary {
@@ -77,6 +88,7 @@ std::string set_start(tracker::Tracker<Model, S>& tracker, const std::string& te
     return fmt::format("--q0 '{}': expected {} numbers: px py pz qw qx qy qz and {} joint value(s)", text, kNumbers,
                        Model::kJoints.size());
   }
+  if (const auto problem = why_no_start(*numbers); !problem.empty()) return fmt::format("--q0 '{}': {}", text, problem);
   std::array<double, kNumbers> fixed{};
   std::copy(numbers->begin(), numbers->end(), fixed.begin());
   const auto q0 = model::from_numbers<Model, S>(fixed);
@@ -85,58 +97,89 @@ std::string set_start(tracker::Tracker<Model, S>& tracker, const std::string& te
   return {};
 }
 
-/// Runs the firmware's loop over the files. Returns what went wrong, or nothing.
+/// Slow recordings are integrated as well: a few of their frames may be missing.
+inline tracker::Options tracker_options(const ReplayOptions& options) {
+  tracker::Options tracker_options{.mode = options.mode};
+  tracker_options.max_gap_s = std::max(tracker_options.max_gap_s, 3 / options.rate_hz);
+  return tracker_options;
+}
+
+/// The firmware's loop over the files of one replay.
 template <class Model>
-std::string replay(const ReplayOptions& options) {
+class Replay {
+ public:
+  explicit Replay(const ReplayOptions& options) : options_{options} {}
+
+  /// All of it. Returns what went wrong, or nothing.
+  std::string run() {
+    if (!options_.q0.empty()) {
+      if (const auto problem = set_start(tracker_, options_.q0); !problem.empty()) return problem;
+    }
+    if (const auto problem = create_folder(options_.overlay_folder); !problem.empty()) return problem;
+    if (file_.open(options_.output) != Status::ok) return file_.problem();
+    for (std::size_t frame = 0; frame < options_.files.size(); ++frame) {
+      if (const auto problem = play(frame); !problem.empty()) return problem;
+      if (options_.show_progress) show_progress(frame + 1, options_.files.size());
+    }
+    return file_.close() == Status::ok ? std::string{} : file_.problem();
+  }
+
+  std::string summary() const {
+    std::vector<std::string> joint_names;
+    for (const auto& joint : Model::kJoints) joint_names.emplace_back(joint.name);
+    return summary_.text(joint_names, options_.rate_hz);
+  }
+
+ private:
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   using Estimate = typename Tracker::EstimateType;
-  Tracker tracker{options.camera, {.mode = options.mode}};
-  if (!options.q0.empty()) {
-    if (const auto problem = set_start(tracker, options.q0); !problem.empty()) return problem;
-  }
-  if (!options.overlay_folder.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(options.overlay_folder, error);
-    if (error) return options.overlay_folder + ": " + error.message();
-  }
+  using Timed = hal::TimedTracker<Tracker, hal::MonotonicClock>;
+  using Link = hal::TeeLink<Estimate, hal::FileLink<Estimate>>;
 
-  hal::PgmCamera camera{options.files, options.rate_hz};
-  hal::ManualClock clock;
-  const hal::MonotonicClock stopwatch;
-  hal::TimedTracker<Tracker, hal::MonotonicClock> timed{tracker, stopwatch};
-  hal::FileLink<Estimate> file;
-  if (file.open(options.output) != Status::ok) return file.whole_file().problem();
-  hal::TeeLink<Estimate, hal::FileLink<Estimate>> link{file};
-  hal::RunLoop loop{camera, clock, link, timed, std::chrono::milliseconds{0}};
-
-  Summary summary;
-  for (std::size_t frame = 0; frame < options.files.size(); ++frame) {
-    clock.set(camera.t_exposure(frame));
-    const hal::Tick tick = loop.run_once();
-    if (loop.counters().link_errors > 0) return file.whole_file().problem();
-    if (tick == hal::Tick::failed) return camera.problem();
-    const Estimate& estimate = link.latest();
+  std::string play(std::size_t frame) {
+    clock_.set(camera_.t_exposure(frame));
+    const hal::Tick tick = loop_.run_once();
+    if (loop_.counters().link_errors > 0) return file_.problem();
+    if (tick == hal::Tick::failed) return camera_.problem();
+    const Estimate& estimate = link_.latest();
     if (estimate.reason == tracker::Reason::image_mismatch) {
-      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", options.files[frame].string(),
-                         camera.image().width_px, camera.image().height_px, options.camera.width_px,
-                         options.camera.height_px);
+      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", options_.files[frame].string(),
+                         camera_.image().width_px, camera_.image().height_px, options_.camera.width_px,
+                         options_.camera.height_px);
     }
-    summary.add(estimate.status, static_cast<double>(estimate.rms_px), estimate.matched, timed.step_s(),
-                std::vector<double>(estimate.q.joints.data(), estimate.q.joints.data() + estimate.q.joints.size()));
-    if (!options.overlay_folder.empty()) {
-      const auto picture = std::filesystem::path(options.overlay_folder) / fmt::format("overlay_{:05}.png", frame);
-      std::string why;
-      if (hal::write_overlay(picture, camera.image().view(), overlay_of(tracker, estimate), why) != Status::ok)
-        return why;
-    }
-    if (options.show_progress) show_progress(frame + 1, options.files.size());
+    summary_.add(estimate.status, static_cast<double>(estimate.rms_px), estimate.matched, timed_.step_s(),
+                 std::vector<double>(estimate.q.joints.data(), estimate.q.joints.data() + estimate.q.joints.size()));
+    return draw(frame, estimate);
   }
-  if (file.close() != Status::ok) return file.whole_file().problem();
 
-  std::vector<std::string> joint_names;
-  for (const auto& joint : Model::kJoints) joint_names.emplace_back(joint.name);
-  fmt::print("{}", summary.text(joint_names, options.rate_hz));
-  return {};
+  std::string draw(std::size_t frame, const Estimate& estimate) {
+    if (options_.overlay_folder.empty()) return {};
+    const auto picture = std::filesystem::path(options_.overlay_folder) / fmt::format("overlay_{:05}.png", frame);
+    std::string why;
+    (void)hal::write_overlay(picture, camera_.image().view(), overlay_of(tracker_, estimate), why);  // empty when drawn
+    return why;
+  }
+
+  const ReplayOptions& options_;
+  Tracker tracker_{options_.camera, tracker_options(options_)};
+  hal::PgmCamera camera_{options_.files, options_.rate_hz};
+  hal::ManualClock clock_;
+  const hal::MonotonicClock stopwatch_{};
+  Timed timed_{tracker_, stopwatch_};
+  hal::FileLink<Estimate> file_;
+  Link link_{file_};
+  hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{camera_, clock_, link_, timed_,
+                                                                    std::chrono::milliseconds{0}};
+  Summary summary_;
+};
+
+/// Runs the firmware's loop over the files and prints the summary. Returns what went wrong, or nothing.
+template <class Model>
+std::string replay(const ReplayOptions& options) {
+  const auto job = std::make_unique<Replay<Model>>(options);  // large: a tracker holds its detector's images
+  if (auto problem = job->run(); !problem.empty()) return problem;
+  std::fputs(job->summary().c_str(), stdout);
+  return std::fflush(stdout) == 0 ? std::string{} : std::string("standard output: ") + std::strerror(errno);
 }
 
 }  // namespace articam::app

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "hal/app/replay_job.hpp"
 #include "static_models/registry.hpp"

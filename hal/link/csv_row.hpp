@@ -1,6 +1,7 @@
 #pragma once
 /// @file  An estimate as one line of estimates.csv.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -19,8 +20,10 @@ class LineBuffer {
   bool overflowed() const noexcept { return overflowed_; }
 
   void put(std::string_view text) noexcept {
-    if (text.size() > Capacity - size_) overflowed_ = true;
-    for (std::size_t i = 0; i < text.size() && size_ < Capacity; ++i) text_[size_++] = text[i];
+    const std::size_t fits = std::min(text.size(), Capacity - size_);
+    if (fits < text.size()) overflowed_ = true;
+    std::copy_n(text.data(), fits, text_ + size_);
+    size_ += fits;
   }
   /// The shortest text that reads back as the same number.
   template <class Number>

@@ -9,16 +9,17 @@
 
 namespace articam::hal {
 
-/// Writes one row an estimate. The file appears under its name only by close(): until then, and after a crash, there is
-/// `<path>.part`. After open() nothing allocates.
+/// Writes one row an estimate. The file appears under its name only by close() (see WholeFile). After open() nothing
+/// allocates, unless it fails.
 template <class Estimate>
 class FileLink;
 
 template <class Model, class S>
 class FileLink<tracker::Estimate<Model, S>> {
  public:
-  /// Errors  io_error when the file cannot be created; whole_file().problem() says why.
+  /// Errors of all three  io_error; problem() says why.
   Status open(const std::string& path) noexcept {
+    problem_.clear();
     if (const Status status = file_.open(path); status != Status::ok) return status;
     line_.clear();
     put_csv_header<Model>(line_);
@@ -30,16 +31,19 @@ class FileLink<tracker::Estimate<Model, S>> {
     return write_line();
   }
   Status close() noexcept { return file_.close(); }
-  const WholeFile& whole_file() const noexcept { return file_; }
+  const std::string& problem() const noexcept { return problem_.empty() ? file_.problem() : problem_; }
 
  private:
   Status write_line() noexcept {
     line_.put("\n");
-    return line_.overflowed() ? Status::io_error : file_.write(line_.text());
+    if (!line_.overflowed()) return file_.write(line_.text());
+    problem_ = "estimates.csv: a line is longer than its buffer: give the joints shorter names";
+    return Status::io_error;
   }
 
   WholeFile file_;
   CsvLine<Model> line_;
+  std::string problem_;
 };
 
 }  // namespace articam::hal

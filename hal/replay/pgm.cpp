@@ -105,6 +105,11 @@ Status read_file(const std::filesystem::path& path, GreyImage& out, std::string&
 
 Status write_file(const std::filesystem::path& path, const ImageView& image, std::string& why) {
   if (!image.ok()) return refuse(Status::bad_argument, "no image to write", why);
+  std::error_code error;
+  const auto target = std::filesystem::symlink_status(path, error);
+  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+    return refuse(Status::io_error, "is a folder, a link or a device: only a plain file is replaced", why);
+  }
   std::filesystem::path temporary = path;
   temporary += ".partial";
   errno = 0;
@@ -113,7 +118,6 @@ Status write_file(const std::filesystem::path& path, const ImageView& image, std
   for (int v = 0; v < image.height_px; ++v) file.write(reinterpret_cast<const char*>(image.row(v)), image.width_px);
   file.close();
   std::string reason = system_reason(errno);
-  std::error_code error;
   if (file) {
     std::filesystem::rename(temporary, path, error);
     if (!error) return Status::ok;

@@ -20,10 +20,10 @@ struct GreyImage {
 };
 
 /// Reads one binary PGM of at most kMaxImageWidth_px x kMaxImageHeight_px with a maximum value of 1 to 255; grey
-/// levels are scaled so that the maximum becomes 255.
+/// levels are scaled so that the maximum becomes 255. Bytes after the first image are ignored, as netpbm allows
+/// several in a file.
 /// Errors  io_error (cannot be read), bad_argument (not such an image); `why` then names the file and says what is
-/// wrong, `out` is
-///         unchanged. Bytes after the first image are ignored, as netpbm allows several in a file.
+///         wrong, `out` is unchanged.
 Status read_pgm(const std::filesystem::path& path, GreyImage& out, std::string& why);
 
 /// Writes a binary PGM whole or not at all: into a temporary file beside it, which is then renamed.

@@ -9,10 +9,11 @@ namespace articam::hal {
 
 std::vector<std::filesystem::path> find_frames(const std::string& what) {
   std::vector<std::filesystem::path> files;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(what, ignored)) {
-    for (const auto& entry : std::filesystem::directory_iterator(what, ignored)) {
-      if (entry.path().extension() == ".pgm") files.push_back(entry.path());
+  std::error_code error;
+  if (std::filesystem::is_directory(what, error)) {
+    // Not a range-for: its ++ throws where the folder cannot be read to its end.
+    for (std::filesystem::directory_iterator entry{what, error}, end; !error && entry != end; entry.increment(error)) {
+      if (entry->path().extension() == ".pgm") files.push_back(entry->path());
     }
   } else {
     glob_t found{};

@@ -26,8 +26,24 @@ class Programs : public testing::Test {
   }
   ~Programs() override { fs::remove_all(folder_); }
 
+  Ended run_in_shell(const std::string& command) const {
+    return articam::test::run("cd " + folder_.string() + " && " + command);
+  }
   Ended run(const std::string& program_and_arguments) const {
-    return articam::test::run("cd " + folder_.string() + " && " ARTICAM_BIN "/" + program_and_arguments);
+    return run_in_shell(ARTICAM_BIN "/" + program_and_arguments);
+  }
+  /// frame.pgm, of the size of the camera mire_384x288: nothing is to be seen in it.
+  void write_empty_frame() const {
+    std::ofstream(folder_ / "frame.pgm", std::ios::binary) << "P5 384 288 255\n" << std::string(384 * 288, '\x40');
+  }
+  /// Names of temporary files that stayed behind.
+  std::string leftovers() const {
+    std::string names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename().string();
+      if (name.find(".part") != std::string::npos) names += name + ' ';
+    }
+    return names;
   }
   /// Ends with that code, and says each of these words.
   void expect(const std::string& command, int exit_code, std::initializer_list<const char*> words) const {
@@ -64,7 +80,43 @@ TEST_F(Programs, ReplayRefusesWhatItCannotUseAndSaysWhy) {
   expect("articam-replay mire" + camera + "--frames frames -o no/such/folder/e.csv", 1, {"no/such/folder/e.csv"});
   expect("articam-replay mire" + camera + "--frames frames -o e.csv", 1, {"a.pgm: is 4 x 2 pixels", "384 x 288"});
   EXPECT_FALSE(fs::exists(folder_ / "e.csv"));
-  EXPECT_FALSE(fs::exists(folder_ / "e.csv.part"));
+  EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Programs, ReplayRefusesNumbersThatNoCameraAndNoStartHas) {
+  const std::string job = " --camera " ARTICAM_CAMERAS "/mire_384x288.yaml --frames frames -o e.csv --q0 ";
+  expect("articam-replay mire" + job + "'0 0 1e300 1 0 0 0'", 1, {"--q0", "beyond 1e+06"});
+  expect("articam-replay mire" + job + "'0 0 -0.5 1 0 0 0'", 1, {"--q0", "not in front of the camera"});
+  std::ofstream(folder_ / "long.yaml")
+      << "image_width: 640\nimage_height: 480\n"
+         "camera_matrix: {rows: 3, cols: 3, data: [1e300, 0, 319.5, 0, 525, 239.5, 0, 0, 1]}\n"
+         "distortion_model: plumb_bob\n"
+         "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n";
+  expect("articam-replay mire --camera long.yaml --frames frames -o e.csv", 1, {"long.yaml:3", "focal length"});
+  EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Programs, ReplayWritesOverPlainFilesOnly) {
+  const std::string job = "articam-replay mire --camera " ARTICAM_CAMERAS "/mire_384x288.yaml --frames frame.pgm -o ";
+  write_empty_frame();
+  fs::create_directories(folder_ / "taken");
+  fs::create_symlink("taken", folder_ / "link");
+  for (const char* target : {"taken", "link", "/dev/null"}) {
+    expect(job + target, 1, {target, "only a plain file is replaced"});
+  }
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Programs, ReplayFailsWhereItsSummaryOrItsRowsCannotBeWritten) {
+  const std::string job = "articam-replay mire --camera " ARTICAM_CAMERAS "/mire_384x288.yaml --frames frame.pgm ";
+  write_empty_frame();
+  expect(job + "-o e.csv", 0, {"frames       1"});
+  expect(job + "-o e.csv > /dev/full", 1, {"standard output: No space left"});
+  // dash and bash count in blocks of 512 or 1024 bytes: no block at all means the same to both.
+  EXPECT_EQ(run_in_shell("ulimit -f 0; trap '' XFSZ; " ARTICAM_BIN "/" + job + "-o f.csv").exit_code, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "f.csv"));
+  EXPECT_EQ(leftovers(), "");
 }
 
 TEST_F(Programs, SimRefusesWhatItCannotUseAndSaysWhy) {

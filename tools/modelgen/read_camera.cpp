@@ -49,7 +49,10 @@ void read_intrinsics(YamlMap& map, const SourceFile& source, CameraParameters& c
   const auto refuse = [&](const char* reason) { map.error(map.line_of_key("camera_matrix"), "camera_matrix", reason); };
   const auto& k = *K;
   if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1) refuse("is not (fx 0 cx, 0 fy cy, 0 0 1)");
-  if (!(k[0] > 0 && k[4] > 0)) refuse("has a focal length that is not positive");
+  const auto no_focal_length = [](double f) { return !(f >= 1 && f <= 1e5); };
+  if (no_focal_length(k[0]) || no_focal_length(k[4])) refuse("has a focal length that is not between 1 and 1e5 px");
+  const auto off = [](double c, int size) { return size > 0 && std::abs(c) > 10 * size; };
+  if (off(k[2], camera.width_px) || off(k[5], camera.height_px)) refuse("has a principal point far outside the image");
   camera.fx_px = k[0];
   camera.fy_px = k[4];
   camera.cx_px = k[2];
@@ -106,6 +109,9 @@ std::optional<CameraParameters> read_camera(const SourceFile& source, Diagnostic
       }
     }
     read_base(map, source, camera, found);
+    for (const char* key : {"readout_time_s", "T_base_cam"}) {
+      if (map.has(key)) found.warning(source.path, map.line_of_key(key), key, "is read and checked, but not used yet");
+    }
   }
   diagnostics.append(found);
   return found.has_errors() ? std::nullopt : std::optional(camera);

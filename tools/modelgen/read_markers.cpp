@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "tools/modelgen/read_yaml.hpp"
 
 namespace articam::modelgen {
@@ -17,6 +19,14 @@ double read_diameter(YamlMap& map, const char* key) {
   return *value;
 }
 
+// kMinRingRatio_q16 and kMaxRingRatio_q16 of core/vision/detector.hpp, which tools may not include.
+constexpr double kMinRingRatio = 0.1875, kMaxRingRatio = 0.75;
+
+/// Inner : outer diameter; 0 where either is missing.
+double ring_ratio(const Marker& marker) {
+  return marker.outer_diameter_m > 0 ? marker.inner_diameter_m / marker.outer_diameter_m : 0;
+}
+
 void read_ring(YamlMap& map, Marker& marker) {
   map.check_keys({"frame", "type", "outer_diameter_m", "inner_diameter_m"}, YamlMap::UnknownKeys::refuse);
   marker.kind = model::MarkerKind::ring;
@@ -24,6 +34,10 @@ void read_ring(YamlMap& map, Marker& marker) {
   marker.inner_diameter_m = read_diameter(map, "inner_diameter_m");
   if (marker.outer_diameter_m > 0 && marker.inner_diameter_m >= marker.outer_diameter_m) {
     map.error(map.line_of_key("inner_diameter_m"), "inner_diameter_m", "is not smaller than outer_diameter_m");
+  } else if (const double ratio = ring_ratio(marker); ratio > 0 && (ratio < kMinRingRatio || ratio > kMaxRingRatio)) {
+    map.error(map.line_of_key("inner_diameter_m"), "inner_diameter_m",
+              fmt::format("is {:.3g} of outer_diameter_m; the detector finds rings of {} to {}", ratio, kMinRingRatio,
+                          kMaxRingRatio));
   }
 }
 
@@ -55,6 +69,21 @@ Marker read_marker(YamlMap& map) {
   return marker;
 }
 
+/// The detector searches for rings of one ratio.
+void check_one_ratio(const MarkersFile& file, Diagnostics& diagnostics) {
+  constexpr double kRounding = 0.01;  // a person types two or three digits
+  const Marker* first = nullptr;
+  for (const Marker& marker : file.markers) {
+    if (marker.kind != model::MarkerKind::ring || ring_ratio(marker) == 0) continue;
+    if (first == nullptr) first = &marker;
+    if (std::abs(ring_ratio(marker) - ring_ratio(*first)) <= kRounding * ring_ratio(*first)) continue;
+    diagnostics.error(file.file, marker.line, fmt::format("marker '{}'", marker.name),
+                      fmt::format("its ratio of inner to outer diameter is {:.3g}, but {:.3g} in line {}; all rings of "
+                                  "a model need the same",
+                                  ring_ratio(marker), ring_ratio(*first), first->line));
+  }
+}
+
 }  // namespace
 
 std::optional<MarkersFile> read_markers(const SourceFile& source, Diagnostics& diagnostics) {
@@ -74,6 +103,7 @@ std::optional<MarkersFile> read_markers(const SourceFile& source, Diagnostics& d
   } else {
     top.error(top.line_of_key("markers"), "markers", "is not a list of markers");
   }
+  check_one_ratio(result, diagnostics);
   if (top.has("q0")) {
     result.q0 = top.numbers("q0", 0);
     result.q0_line = top.line_of_key("q0");

@@ -30,7 +30,8 @@ struct MarkersFile {
   int q0_line{};
 };
 
-/// Errors  not YAML, unknown or missing keys, malformed numbers, sizes that no mark can have.
+/// Errors  not YAML, unknown or missing keys, malformed numbers, sizes that no mark can have, rings that the
+///         detector cannot find: an inner diameter outside 0.1875 to 0.75 of the outer one, or several such ratios.
 std::optional<MarkersFile> read_markers(const SourceFile& source, Diagnostics& diagnostics);
 
 }  // namespace articam::modelgen

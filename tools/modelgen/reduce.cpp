@@ -159,9 +159,15 @@ void check_q0(const Table& table, const MarkersFile& markers, Diagnostics& diagn
                       fmt::format("has {} numbers instead of {}: {}", q0.size(), 7 + table.joints.size(), order));
     return;
   }
+  const auto refuse = [&](const std::string& reason) {
+    diagnostics.error(markers.file, markers.q0_line, "q0", reason);
+  };
+  const auto far = [](double x) { return std::abs(x) > kMaxCoordinate; };
+  if (std::any_of(q0.begin(), q0.end(), far)) return refuse(fmt::format("a number is beyond {:g}", kMaxCoordinate));
+  if (!(q0[2] > 0)) refuse("pz is not positive: the base is not in front of the camera");
   const double norm = std::sqrt(q0[3] * q0[3] + q0[4] * q0[4] + q0[5] * q0[5] + q0[6] * q0[6]);
   if (!(std::abs(norm - 1) < 0.01)) {  // a start is typed with two or three digits
-    diagnostics.error(markers.file, markers.q0_line, "q0", fmt::format("its quaternion has norm {:.4g}, not 1", norm));
+    refuse(fmt::format("its quaternion has norm {:.4g}, not 1", norm));
   }
   for (std::size_t i = 0; i < table.joints.size(); ++i) {
     const TableJoint& joint = table.joints[i];

@@ -47,7 +47,8 @@ struct Table {
 /// link in the order of the URDF. A joint above the chosen root is turned round: its axis changes sign, so
 /// that its value keeps its meaning. Joints that move no marker are left out with a warning, unless there is no
 /// marker at all. Computed numbers are rounded (see rounded()). The model must have passed check_model.
-/// Errors  a q0 of the wrong length or whose quaternion is not one.
+/// Errors  a q0 of the wrong length, with numbers beyond kMaxCoordinate, whose quaternion is not one, or whose base is
+///         not in front of the camera.
 Table reduce(const UrdfModel& model, const MarkersFile& markers, const ModelOptions& options, Diagnostics& diagnostics);
 
 /// To 15 decimals: a composed pose is no more exact than that (5e-16), and 0.1 stays 0.1, half a turn an exact

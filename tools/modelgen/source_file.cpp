@@ -94,6 +94,11 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string write_whole_file(const std::string& path, std::string_view content) {
+  // A rename would replace the device or the symbolic link itself, not what it leads to.
+  struct stat target {};
+  if (::lstat(path.c_str(), &target) == 0 && !S_ISREG(target.st_mode)) {
+    return "is a folder, a link or a device: only a plain file is replaced";
+  }
   std::string temporary = path + ".XXXXXX";
   const int file = ::mkstemp(temporary.data());
   if (file < 0) return std::string("cannot be created: ") + std::strerror(errno);

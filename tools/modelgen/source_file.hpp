@@ -27,6 +27,7 @@ std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diag
 std::string sha256(std::string_view bytes);
 
 /// Writes beside the target, then renames: the target is the old file or the new one, never half of one.
+/// A target that exists and is not a regular file (a folder, a symbolic link, a device) is refused.
 /// Returns an empty text, or the reason why the target was left as it was.
 std::string write_whole_file(const std::string& path, std::string_view content);
 

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "static_models/registry.hpp"
-#include "tests/support/own_folder.hpp"
 #include "tests/support/observe.hpp"
+#include "tests/support/own_folder.hpp"
 
 namespace articam {
 namespace {
@@ -91,8 +91,7 @@ TEST_F(FileLink, LeavesNothingBehindThatWasNotClosed) {
 TEST_F(FileLink, SaysWhichFileCannotBeWrittenAndWhy) {
   hal::FileLink<Estimate> link;
   EXPECT_EQ(link.open((folder_ / "no_such_folder/est.csv").string()), Status::io_error);
-  EXPECT_NE(link.whole_file().problem().find("no_such_folder/est.csv: cannot be created: No such file"),
-            std::string::npos);
+  EXPECT_NE(link.problem().find("no_such_folder/est.csv: cannot be created: No such file"), std::string::npos);
 }
 
 }  // namespace

@@ -79,7 +79,10 @@ TEST_F(Pgm, SaysWhyAFileCannotBeReadOrWritten) {
   EXPECT_EQ(write_pgm(folder_ / "absent" / "out.pgm", image_.view(), why_), Status::io_error);
   EXPECT_NE(why_.find("No such file or directory"), std::string::npos) << why_;
   EXPECT_NE(why_.find("absent"), std::string::npos) << why_;
+  EXPECT_EQ(write_pgm(folder_, image_.view(), why_), Status::io_error);
+  EXPECT_NE(why_.find("is a folder"), std::string::npos) << why_;
   EXPECT_EQ(write_pgm(folder_ / "out.pgm", {}, why_), Status::bad_argument);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "nothing half-written is left";
 }
 
 TEST_F(Pgm, SurvivesRandomBytes) {

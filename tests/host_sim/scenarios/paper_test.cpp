@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "hal/firmware.hpp"
 #include "hal/run_loop.hpp"
@@ -46,18 +48,44 @@ TEST(PaperScenario, HasTheVelocityOfItsNumericDerivative) {
   }
 }
 
-TEST(PaperScenario, IsTrackedWithinHalfAMillimetreFromThePapersStart) {
-  const Metrics metrics = evaluate(run(tracker::Mode::standard, 90));
-  EXPECT_EQ(metrics.evaluated, 60);
-  EXPECT_LT(metrics.joints[0].rms, 0.5);
-  EXPECT_LT(metrics.joints[1].rms, 0.5);
+// Twelve seconds at 30 Hz: five at rest, then the drawer opens and begins to close.
+constexpr std::uint32_t kTwelveSeconds = 360;
+
+/// RMS of the drawer's error while it moves, m; counts the frames that it is made of.
+double rms_while_moving_m(const RunRecord& record, int& frames) {
+  double squares = 0;
+  frames = 0;
+  for (const FrameRecord& frame : record.frames) {
+    if (frame.true_joint_rates[0] == 0 || !frame.estimate) continue;
+    const double error = frame.estimate->joints[0] - frame.truth.joints[0];
+    squares += error * error;
+    ++frames;
+  }
+  return std::sqrt(squares / frames);
 }
 
-TEST(PaperScenario, ConvergesBetweenItsTwoGainsInThePapersMode) {
-  const Metrics metrics = evaluate(run(tracker::Mode::paper, 90));
+TEST(PaperScenario, IsTrackedWithoutLagWhileTheDrawerMoves) {
+  const RunRecord record = run(tracker::Mode::standard, kTwelveSeconds);
+  int frames = 0;
+  const double rms_m = rms_while_moving_m(record, frames);
+  RecordProperty("rms_while_moving_mm", std::to_string(1000 * rms_m));
+  EXPECT_GT(frames, 150) << "the drawer moves from 5 s on";
+  EXPECT_LT(rms_m, 1e-4);  // asked are 0.5 mm; the marks' noise of some hundredths of a pixel makes 0.02 mm
+  const Metrics metrics = evaluate(record);
+  EXPECT_EQ(metrics.evaluated, 330);
+  EXPECT_LT(metrics.joints[1].rms, 0.5);
+  ASSERT_TRUE(metrics.joints[0].lag_ms);
+  EXPECT_GT(metrics.joints[0].lag_ms->low, -1);
+  EXPECT_LT(metrics.joints[0].lag_ms->high, 1);
+}
+
+TEST(PaperScenario, ConvergesBetweenItsTwoGainsAndLagsInThePapersMode) {
+  const Metrics metrics = evaluate(run(tracker::Mode::paper, kTwelveSeconds));
   ASSERT_TRUE(metrics.decay_rate_per_s);
   EXPECT_GT(metrics.decay_rate_per_s->value, tracker::GainProfile{}.at_infinity);
   EXPECT_LT(metrics.decay_rate_per_s->value, tracker::GainProfile{}.at_zero);
+  ASSERT_TRUE(metrics.joints[0].lag_ms);
+  EXPECT_GT(metrics.joints[0].lag_ms->value, 50);  // one step a frame and no velocity: about 1 / gain, 200 ms
 }
 
 TEST(PaperScenario, GivesTheSameEstimatesTwice) {

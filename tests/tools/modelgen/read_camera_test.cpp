@@ -51,17 +51,27 @@ TEST(ReadCamera, RefusesDistortionModelsThatItWouldDrop) {
 }
 
 TEST(ReadCamera, TellsTheLineAndTheKeyOfWhatIsWrong) {
+  const auto unused = [](const std::string& key) {
+    return "c.yaml:6: " + key + ": warning: is read and checked, but not used yet\n";
+  };
   EXPECT_EQ(messages(edited("525, 0", "525, 1")), "c.yaml:3: camera_matrix: is not (fx 0 cx, 0 fy cy, 0 0 1)\n");
-  EXPECT_EQ(messages(edited("524", "-524")), "c.yaml:3: camera_matrix: has a focal length that is not positive\n");
+  EXPECT_EQ(messages(edited("524", "-524")),
+            "c.yaml:3: camera_matrix: has a focal length that is not between 1 and 1e5 px\n");
+  EXPECT_EQ(messages(edited("525", "1e300")),
+            "c.yaml:3: camera_matrix: has a focal length that is not between 1 and 1e5 px\n");
+  EXPECT_EQ(messages(edited("239.5", "-4801")),
+            "c.yaml:3: camera_matrix: has a principal point far outside the image\n");
   EXPECT_EQ(messages(edited(".4, .5", ".4")), "c.yaml:5: distortion_coefficients data: has 4 numbers instead of 5\n");
   EXPECT_EQ(messages(edited("rows: 1", "rows: 2")), "c.yaml:5: distortion_coefficients rows: is not 1\n");
   EXPECT_EQ(messages(edited("640", "640.5")), "c.yaml:1: image_width: 640.5 is not a whole number of pixels\n");
   EXPECT_EQ(messages(edited("640", "4000")),
             "c.yaml:1: image_width: 4000 exceeds 1280, the largest this build takes\n");
   EXPECT_EQ(messages(edited("525", ".nan")), "c.yaml:3: camera_matrix data: '.nan' is not a finite number\n");
-  EXPECT_EQ(messages(kCamera + "readout_time_s: -1\n"), "c.yaml:6: readout_time_s: is not between 0 and 1 s\n");
+  EXPECT_EQ(messages(kCamera + "readout_time_s: -1\n"),
+            "c.yaml:6: readout_time_s: is not between 0 and 1 s\n" + unused("readout_time_s"));
   EXPECT_EQ(messages(kCamera + "T_base_cam: {position: [0, 0, 0], quaternion_wxyz: [1, 1, 0, 0]}\n"),
-            "c.yaml:6: T_base_cam quaternion_wxyz: has norm 1.41421, not 1\n");
+            "c.yaml:6: T_base_cam quaternion_wxyz: has norm 1.41421, not 1\n" + unused("T_base_cam"));
+  EXPECT_EQ(messages(kCamera + "readout_time_s: 0.02\n"), unused("readout_time_s"));
   EXPECT_EQ(messages(kCamera + "readout_time: 1\n"), "c.yaml:6: readout_time: warning: unknown key, ignored\n");
 }
 

@@ -53,6 +53,21 @@ TEST(ReadMarkers, TellsTheLineAndTheKeyOfWhatIsWrong) {
   EXPECT_EQ(messages("markers: []\nmarkers: []\n"), "m.yaml:2: markers: is given twice; keep one\n");
 }
 
+TEST(ReadMarkers, RefusesRingsThatTheDetectorCannotFind) {
+  const auto ring = [](const std::string& frame, const std::string& inner) {
+    return "  - {frame: " + frame + ", type: ring, outer_diameter_m: 0.05, inner_diameter_m: " + inner + "}\n";
+  };
+  EXPECT_EQ(messages("markers:\n" + ring("a", "0.009")),
+            "m.yaml:2: marker 1 inner_diameter_m: is 0.18 of outer_diameter_m; the detector finds rings of 0.1875 to "
+            "0.75\n");
+  EXPECT_NE(messages("markers:\n" + ring("a", "0.04")), "");
+  EXPECT_EQ(messages("markers:\n" + ring("a", "0.0205") + ring("b", "0.02049")), "") << "rounded by hand";
+  EXPECT_EQ(
+      messages("markers:\n" + ring("a", "0.02") + ring("b", "0.025")),
+      "m.yaml:3: marker 'b': its ratio of inner to outer diameter is 0.5, but 0.4 in line 2; all rings of a model "
+      "need the same\n");
+}
+
 TEST(ReadMarkers, RefusesWhatIsNotYaml) {
   EXPECT_EQ(messages("- 1\n"), "m.yaml:1: document: is not a mapping of keys to values\n");
   EXPECT_EQ(messages("markers: [\n").substr(0, 45), "m.yaml:2: document: not well-formed YAML: end");

@@ -58,10 +58,21 @@ TEST_F(SourceFileTest, WritesTheWholeFileOrLeavesTheOldOne) {
   std::ifstream stream(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "new");
 
-  fs::create_directories(folder_ / "taken" / "inside");  // rename cannot replace it
-  EXPECT_NE(write_whole_file((folder_ / "taken").string(), "new"), "");
   EXPECT_NE(write_whole_file((folder_ / "absent" / "file").string(), "new"), "");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "a temporary file stayed behind";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "a temporary file stayed behind";
+}
+
+TEST_F(SourceFileTest, ReplacesPlainFilesOnly) {
+  fs::create_directories(folder_ / "taken");
+  fs::create_symlink(write("old"), folder_ / "link");
+  for (const std::string& path :
+       {(folder_ / "taken").string(), (folder_ / "link").string(), std::string("/dev/null")}) {
+    EXPECT_EQ(write_whole_file(path, "new"), "is a folder, a link or a device: only a plain file is replaced") << path;
+  }
+  EXPECT_TRUE(fs::is_directory(folder_ / "taken"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3) << "a temporary file stayed behind";
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+/// @file  What the report needs to know of a scenario.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/report/camera_picture.hpp"
+#include "host_sim/report/run_record.hpp"
+#include "host_sim/world/object_state.hpp"
+#include "host_sim/world/renderer.hpp"
+
+namespace articam::sim {
+
+/// A run before its first frame.
+template <class Scenario>
+RunRecord describe(const std::string& mode, const RenderOptions& rendering) {
+  using Model = typename Scenario::Model;
+  RunRecord run;
+  run.scenario = Scenario::kName;
+  run.mode = mode;
+  run.seed = rendering.seed;
+  run.noise_grey = rendering.noise_grey;
+  run.blur_px = rendering.blur_px;
+  run.rest_s = Scenario::kRest_s;
+  run.degrees_of_freedom = model::kDof<Model>;
+  for (const model::JointRow& joint : Model::kJoints) {
+    run.joint_names.emplace_back(joint.name);
+    run.joint_is_length.push_back(joint.kind == model::JointKind::prismatic);
+  }
+  return run;
+}
+
+/// A frame as the camera saw it, with what was estimated there, as an SVG.
+template <class Scenario>
+std::string picture_of(const FrameRecord& frame, Renderer& renderer) {
+  using Model = typename Scenario::Model;
+  std::vector<std::uint8_t> pixels;
+  renderer.render(scene_markers<Model>(Scenario::at(frame.t_s).q), frame.frame, pixels);
+  std::vector<SceneMarker> outlined;
+  if (frame.estimate) {
+    model::Configuration<Model, double> q;
+    q.T_cam_obj = frame.estimate->T_cam_obj;
+    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
+      q.joints[j] = frame.estimate->joints[static_cast<std::size_t>(j)];
+    }
+    outlined = scene_markers<Model>(q);
+  }
+  const CameraParameters& camera = renderer.camera();
+  return camera_picture({pixels.data(), camera.width_px, camera.height_px, camera.width_px}, camera, outlined);
+}
+
+}  // namespace articam::sim
