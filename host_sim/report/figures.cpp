@@ -129,7 +129,7 @@ struct Plan {
 
 /// Panels one above the other; the first has the key, the last the axis of time.
 Plan stacked(const Table& table, const std::string& caption, const std::vector<Panel>& panels) {
-  constexpr int kPanel_px = 170, kKey_px = 34, kTime_px = 68;
+  constexpr int kPanel_px = 170, kKey_px = 34, kTime_px = 84;
   const int height_px = kPanel_px * static_cast<int>(panels.size()) + kKey_px + kTime_px;
   std::string script = fmt::format("set multiplot layout {},1 margins 0.14,0.98,{},{} spacing 0.05\n", panels.size(),
                                    1.0 * kTime_px / height_px, 1 - 1.0 * kKey_px / height_px);
