@@ -20,7 +20,8 @@ struct CameraParameters {
 
   double readout_time_s{};  ///< rolling shutter, first to last row; 0 is a global shutter
 
-  /// Camera in the robot's control frame; identity where the file does not say.
+  /// Camera in the robot's control frame {base}; identity where the file does not say.
+  bool has_t_base_cam{};
   std::array<double, 3> t_base_cam_m{};
   std::array<double, 4> r_base_cam_wxyz{1, 0, 0, 0};
 };

@@ -12,6 +12,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     timeout,           ///< nothing arrived in time; try again
     end_of_stream,     ///< a recording has no more frames
     io_error,          ///< a file or device could not be read or written
+    no_device,         ///< the device is not there, or was unplugged
     bad_argument,      ///< an input is not finite, out of range or of the wrong size
     behind_camera,     ///< depth is not positive, or not a number
     outside_domain,    ///< the inverse of the lens distortion does not converge here
@@ -30,6 +31,8 @@ constexpr std::string_view name(Status status) noexcept {
       return "end_of_stream";
     case Status::io_error:
       return "io_error";
+    case Status::no_device:
+      return "no_device";
     case Status::bad_argument:
       return "bad_argument";
     case Status::behind_camera:

@@ -1,6 +1,8 @@
 #pragma once
 /// @file  What the tracker gives out at every frame, with or without an estimate.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -31,6 +33,9 @@ enum class Reason : std::uint8_t {
   outlier,         ///< a match was left out because it contradicts the others
   weak_joint,      ///< a degree of freedom is held by its prior
   overload,        ///< the frame exceeded the detector's capacities
+  camera_stalled,  ///< no frame for several periods
+  camera_gone,     ///< the camera was unplugged, or cannot be opened
+  late_result,     ///< good, but out later than its age allows
 };
 
 constexpr std::string_view name(TrackingStatus status) noexcept {
@@ -38,11 +43,18 @@ constexpr std::string_view name(TrackingStatus status) noexcept {
   return kNames[static_cast<std::size_t>(status)];
 }
 constexpr std::string_view name(Reason reason) noexcept {
-  constexpr std::string_view kNames[]{"none",           "no_start",    "no_frame",      "stale_frame",
-                                      "image_mismatch", "few_markers", "not_converged", "large_residual",
-                                      "outlier",        "weak_joint",  "overload"};
+  constexpr std::string_view kNames[]{
+      "none",           "no_start", "no_frame",   "stale_frame", "image_mismatch", "few_markers", "not_converged",
+      "large_residual", "outlier",  "weak_joint", "overload",    "camera_stalled", "camera_gone", "late_result"};
   return kNames[static_cast<std::size_t>(reason)];
 }
+
+/// What the newest frame has said of one degree of freedom.
+enum class Observability : std::uint8_t {
+  held,  ///< nothing: its value is the prediction's
+  weak,  ///< less than was known without it
+  observed,
+};
 
 /// Shapes  covariance and velocity are of size nv = 6 + n, ordered (t, rotation, joints).
 /// Frames  pose of {obj} in {cam}; velocity and covariance of t and rotation are written in {cam},
@@ -60,6 +72,7 @@ struct Estimate {
   model::Configuration<Model, S> q{};
   Vec<S, kDof> qdot{Vec<S, kDof>::Zero()};
   Mat<S, kDof, kDof> covariance{Mat<S, kDof, kDof>::Zero()};
+  std::array<Observability, static_cast<std::size_t>(kDof)> observability{};  ///< of the frame; all held without one
   int matched{};   ///< features matched, outliers not counted
   S rms_px{};      ///< root mean square of the 2-D distances of matched features
   S error_norm{};  ///< ||e|| before the first step, metric image plane (paper, figure 3)

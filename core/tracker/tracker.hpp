@@ -35,10 +35,14 @@ class Tracker {
   /// file's size, is refused: coast(t) with that reason, nothing changed.
   EstimateType step(const ImageView& image, Timestamp t) noexcept;
 
+  /// The same from the detections of a frame that an earlier run saw: what they were made from is not looked at again.
+  EstimateType step(const vision::Detections& detections, bool overloaded, Timestamp t) noexcept;
+
   /// The estimate at a time at which the camera gave nothing, or nothing that can be used. Changes nothing.
   EstimateType coast(Timestamp t, Reason reason = Reason::no_frame) const noexcept;
 
   const vision::Detections& detections() const noexcept { return detections_; }
+  bool overloaded() const noexcept { return evidence_.overloaded; }  ///< the newest frame exceeded the detector
   const Matches<Model, Scalar>& matches() const noexcept { return matches_; }
   const vision::CameraModel<Scalar>& camera() const noexcept { return camera_; }
   const Options& options() const noexcept { return options_; }
@@ -52,8 +56,11 @@ class Tracker {
   /// Mean squared normalised distance above which a frame's matches contradict each other.
   static constexpr Scalar kConsistent{9};
 
-  Reason refusal(const ImageView& image, Timestamp t) const noexcept;
+  Reason refusal(Timestamp t) const noexcept;
+  bool fits(const ImageView& image) const noexcept;
+  EstimateType follow(Timestamp t) noexcept;
   void begin(Timestamp t) noexcept;
+  void predict() noexcept;
   void look(const ImageView& image) noexcept;
   void match(const Gate<Scalar>& gate) noexcept;
   void iterate() noexcept;

@@ -49,9 +49,25 @@ void Tracker<Model, Scalar>::set_start(const Configuration& q0) noexcept {
 
 template <class Model, class Scalar>
 auto Tracker<Model, Scalar>::step(const ImageView& image, Timestamp t) noexcept -> EstimateType {
-  if (const Reason reason = refusal(image, t); reason != Reason::none) return coast(t, reason);
-  begin(t);                                                         // prior at time t
-  look(image);                                                      // image      -> detections
+  if (const Reason reason = refusal(t); reason != Reason::none) return coast(t, reason);
+  if (!fits(image)) return coast(t, Reason::image_mismatch);
+  begin(t);     // prior at time t
+  look(image);  // image      -> detections
+  return follow(t);
+}
+
+template <class Model, class Scalar>
+auto Tracker<Model, Scalar>::step(const vision::Detections& detections, bool overloaded, Timestamp t) noexcept
+    -> EstimateType {
+  if (const Reason reason = refusal(t); reason != Reason::none) return coast(t, reason);
+  begin(t);
+  detections_ = detections;
+  evidence_.overloaded = overloaded;
+  return follow(t);
+}
+
+template <class Model, class Scalar>
+auto Tracker<Model, Scalar>::follow(Timestamp t) noexcept -> EstimateType {
   match(following_ ? kTrackingGate<Scalar> : kSearchGate<Scalar>);  // detections -> pairs (s, s_star)
   if (options_.mode == Mode::paper) {
     paper_step();  // pairs -> e, A -> (5) -> (6)
@@ -66,12 +82,15 @@ auto Tracker<Model, Scalar>::step(const ImageView& image, Timestamp t) noexcept 
 
 /// What is wrong with a frame before a pixel of it is read.
 template <class Model, class Scalar>
-Reason Tracker<Model, Scalar>::refusal(const ImageView& image, Timestamp t) const noexcept {
-  const CameraParameters& camera = camera_.parameters();
+Reason Tracker<Model, Scalar>::refusal(Timestamp t) const noexcept {
   if (!has_start_) return Reason::no_start;
-  if (any_frame_ && t <= t_frame_) return Reason::stale_frame;
-  const bool fits = image.ok() && image.width_px == camera.width_px && image.height_px == camera.height_px;
-  return fits ? Reason::none : Reason::image_mismatch;
+  return any_frame_ && t <= t_frame_ ? Reason::stale_frame : Reason::none;
+}
+
+template <class Model, class Scalar>
+bool Tracker<Model, Scalar>::fits(const ImageView& image) const noexcept {
+  const CameraParameters& camera = camera_.parameters();
+  return image.ok() && image.width_px == camera.width_px && image.height_px == camera.height_px;
 }
 
 template <class Model, class Scalar>
@@ -106,13 +125,18 @@ void Tracker<Model, Scalar>::begin(Timestamp t) noexcept {
   period_s_ = motion_.advance(t);
   if (!following_ && options_.mode != Mode::paper) motion_.widen();
   q_ = motion_.q();
+  predict();
+}
+
+template <class Model, class Scalar>
+void Tracker<Model, Scalar>::predict() noexcept {
+  features_ = predict_features<Model, Scalar>(q_, camera_, feature_kind());
+  if (following_) spread_features<Model, Scalar>(q_, camera_, motion_.excess(), features_);
 }
 
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
   if (following_) {
-    features_ = predict_features<Model, Scalar>(q_, camera_, feature_kind());
-    spread_features<Model, Scalar>(q_, camera_, motion_.excess(), features_);
     FixedVector<PixelBox, static_cast<std::size_t>(model::kNumMarkers<Model>)> windows;
     for (const Feature<Scalar>& feature : features_) {
       if (!feature.visible) continue;
@@ -125,7 +149,7 @@ void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
       (void)windows.push_back({edge(feature.pixel.x(), -reach), edge(feature.pixel.y(), -reach),
                                edge(feature.pixel.x(), reach), edge(feature.pixel.y(), reach)});
     }
-    // The view was checked by refusal(): neither call can refuse it.
+    // The view was checked by fits(): neither call can refuse it.
     (void)detector_.detect(image, std::span<const PixelBox>(windows.begin(), windows.size()), detections_);
   } else {
     (void)detector_.detect(image, detections_);
@@ -135,8 +159,6 @@ void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
 
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::match(const Gate<Scalar>& gate) noexcept {
-  features_ = predict_features<Model, Scalar>(q_, camera_, feature_kind());
-  if (following_) spread_features<Model, Scalar>(q_, camera_, motion_.excess(), features_);
   matches_ = associate<Model, Scalar>(features_, detections_, camera_, gate, static_cast<Scalar>(options_.floor_px));
   for (auto& match : matches_) match.variance *= noise_.factor();
 }
@@ -153,7 +175,7 @@ void Tracker<Model, Scalar>::search() noexcept {
   int iterations = 0;
   for (int round = 0; round < kSearchRounds; ++round) {
     const bool last = round + 1 == kSearchRounds;
-    if (round > 0) match(last ? kTrackingGate<Scalar> : kSearchGate<Scalar>);
+    if (round > 0) predict(), match(last ? kTrackingGate<Scalar> : kSearchGate<Scalar>);
     if (last) {
       iterate();
     } else {
@@ -231,6 +253,10 @@ auto Tracker<Model, Scalar>::judge(Timestamp t) noexcept -> EstimateType {
   estimate.error_norm = found_.solution.error_norm;
   estimate.iterations = found_.solution.iterations;
   if (moved) {
+    for (int i = 0; i < kDof; ++i) {
+      estimate.observability[static_cast<std::size_t>(i)] =
+          motion_.is_weak(found_.solution.covariance, i) ? Observability::weak : Observability::observed;
+    }
     motion_.measured(q_, found_.solution.covariance, period_s_, following_ && !paper);
     estimate.covariance = found_.solution.covariance;
   } else {

@@ -9,6 +9,7 @@ namespace articam::hal {
 class MemoryCamera {
  public:
   Status start() noexcept { return Status::ok; }
+  void stop() noexcept { waiting_ = false; }
 
   /// The pixels must stay valid until the loop has released them.
   void hand_over(const Frame& frame) noexcept {

@@ -20,6 +20,7 @@ class PgmCamera {
   PgmCamera(std::vector<std::filesystem::path> files, double rate_hz);
 
   Status start() noexcept { return Status::ok; }
+  void stop() noexcept {}
   /// Errors  end_of_stream after the last file; io_error or bad_argument for a file that cannot be taken (problem()
   ///         says why), and the next call goes on with the next file.
   Status acquire(Frame& out, std::chrono::milliseconds wait) noexcept;

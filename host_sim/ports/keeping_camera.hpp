@@ -23,6 +23,7 @@ class KeepingCamera {
   KeepingCamera(Camera& camera, Keep keep) : camera_{camera}, keep_{std::move(keep)} {}
 
   Status start() noexcept { return camera_.start(); }
+  void stop() noexcept { camera_.stop(); }
   Status acquire(hal::Frame& out, std::chrono::milliseconds wait) noexcept {
     hal::Frame frame;
     Status status = camera_.acquire(frame, wait);

@@ -27,6 +27,7 @@ class SimCamera {
   SimCamera(Renderer& renderer, Scene scene, SimClock& clock, const Options& options);
 
   Status start() noexcept;
+  void stop() noexcept {}
   Status acquire(hal::Frame& out, std::chrono::milliseconds wait) noexcept;
   void release(hal::Frame& frame) noexcept;
 

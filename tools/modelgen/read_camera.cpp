@@ -74,6 +74,7 @@ void read_distortion(YamlMap& map, const SourceFile& source, CameraParameters& c
 
 void read_base(YamlMap& map, const SourceFile& source, CameraParameters& camera, Diagnostics& diagnostics) {
   if (!map.has("T_base_cam")) return;
+  camera.has_t_base_cam = true;
   YamlMap pose(source, map.get("T_base_cam"), "T_base_cam", diagnostics);
   pose.check_keys({"position", "quaternion_wxyz"}, YamlMap::UnknownKeys::refuse);
   if (const auto t = pose.numbers("position", 3)) std::copy(t->begin(), t->end(), camera.t_base_cam_m.begin());
@@ -109,8 +110,9 @@ std::optional<CameraParameters> read_camera(const SourceFile& source, Diagnostic
       }
     }
     read_base(map, source, camera, found);
-    for (const char* key : {"readout_time_s", "T_base_cam"}) {
-      if (map.has(key)) found.warning(source.path, map.line_of_key(key), key, "is read and checked, but not used yet");
+    if (map.has("readout_time_s")) {
+      found.warning(source.path, map.line_of_key("readout_time_s"), "readout_time_s",
+                    "is read and checked, but not used yet");
     }
   }
   diagnostics.append(found);

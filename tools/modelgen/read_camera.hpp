@@ -11,7 +11,7 @@
 namespace articam::modelgen {
 
 /// Keys  image_width, image_height, camera_matrix, distortion_model, distortion_coefficients; optional
-///       readout_time_s and T_base_cam, which nothing uses yet (a warning says so). What ROS writes besides
+///       T_base_cam, and readout_time_s, which nothing uses yet (a warning says so). What ROS writes besides
 ///       (rectification, projection) is not used: the estimator reads raw images.
 /// Errors  missing or malformed values, a skewed camera matrix, a focal length outside 1 to 1e5 px, a principal point
 ///         farther off than 10 image sizes, images larger than the build takes, a distortion model other than

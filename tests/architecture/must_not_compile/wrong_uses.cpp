@@ -50,6 +50,7 @@ static_assert(model::is_well_formed<Chain<WRONG_USE == 7 ? 1 : -1>>(), "parents 
 /// Calls that throw have no place in the loop.
 struct Camera {
   Status start() noexcept;
+  void stop() noexcept;
   Status acquire(hal::Frame& out, std::chrono::milliseconds wait) noexcept(WRONG_USE != 8);
   void release(hal::Frame& frame) noexcept;
 };

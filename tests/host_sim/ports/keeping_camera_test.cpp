@@ -10,6 +10,7 @@ namespace {
 /// Lends the same pixel again and again, and counts who has it.
 struct OnePixelCamera {
   Status start() noexcept { return Status::ok; }
+  void stop() noexcept {}
   Status acquire(hal::Frame& out, std::chrono::milliseconds) noexcept {
     out = {{&pixel, 1, 1, 1}, {}, next++};
     ++lent;
