@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/status.hpp"
+#include "core/tracker/estimate.hpp"
 #include "hal/ports/camera_port.hpp"
 #include "hal/ports/clock_port.hpp"
 #include "hal/ports/link_port.hpp"
@@ -25,8 +26,22 @@ struct Counters {
   std::uint64_t dropped{};   ///< frames missing by their sequence numbers
   std::uint64_t refused{};   ///< duplicates and frames out of order
   std::uint64_t timeouts{};  ///< ticks without a frame
+  std::uint64_t late{};      ///< estimates that came out older than LoopTimes::max_age_s
   std::uint64_t camera_errors{};
   std::uint64_t link_errors{};  ///< estimates that did not go out
+};
+
+/// What the loop expects of time. A silent camera is judged in frame periods.
+struct LoopTimes {
+  std::chrono::nanoseconds period{};  ///< of the camera, nominal
+  double max_age_s{0.1};              ///< from mid-exposure to the link; an older result is flagged late_result
+
+  static constexpr double kStalled_periods = 2.5;  ///< silent for longer: degraded, camera_stalled
+  static constexpr double kLost_periods = 10;      ///< silent for longer: lost
+  /// After so long without a frame the tick speaks without one.
+  constexpr std::chrono::milliseconds wait() const noexcept {
+    return std::chrono::ceil<std::chrono::milliseconds>(period + period / 4);
+  }
 };
 
 /// One camera, one clock, one link and one tracker, all owned by the caller and outliving the loop.
@@ -34,30 +49,37 @@ template <CameraPort Camera, ClockPort Clock, class Link, class Tracker>
 requires LinkPort<Link, typename Tracker::EstimateType>
 class RunLoop {
  public:
-  /// `wait`: after so long without a frame the tick coasts; a little over one frame period.
-  RunLoop(Camera& camera, Clock& clock, Link& link, Tracker& tracker, std::chrono::milliseconds wait) noexcept
-      : camera_{camera}, clock_{clock}, link_{link}, tracker_{tracker}, wait_{wait} {}
+  using EstimateType = typename Tracker::EstimateType;
+
+  RunLoop(Camera& camera, Clock& clock, Link& link, Tracker& tracker, const LoopTimes& times) noexcept
+      : camera_{camera}, clock_{clock}, link_{link}, tracker_{tracker}, times_{times} {}
 
   Status start() noexcept { return camera_.start(); }
+  void stop() noexcept { camera_.stop(); }
 
   Tick run_once() noexcept {
     Frame frame;
-    const Status status = camera_.acquire(frame, wait_);
+    const Status status = camera_.acquire(frame, times_.wait());
     if (status == Status::end_of_stream) return Tick::ended;
+    const Timestamp now = clock_.now();
     if (status != Status::ok) {
       ++(status == Status::timeout ? counters_.timeouts : counters_.camera_errors);
       may_restart_ = true;
-      return publish(tracker_.coast(clock_.now()), status == Status::timeout ? Tick::coasted : Tick::failed);
+      return publish(without_frame(status, now), status == Status::timeout ? Tick::coasted : Tick::failed);
     }
-    if (!is_next(frame)) {
+    if (!is_next(frame, now)) {
       camera_.release(frame);
       ++counters_.refused;
       if (++refused_in_a_row_ >= kRefusalsToRestart) may_restart_ = true;
-      return publish(tracker_.coast(clock_.now()), Tick::refused);
+      return publish(without_frame(Status::ok, now), Tick::refused);
     }
-    const auto estimate = tracker_.step(frame.pixels, frame.t_exposure);
+    EstimateType estimate = tracker_.step(frame.pixels, t_last_);
     camera_.release(frame);
     ++counters_.frames;
+    if (seconds_between(t_last_, clock_.now()) > times_.max_age_s) {
+      ++counters_.late;
+      if (estimate.reason == tracker::Reason::none) estimate.reason = tracker::Reason::late_result;
+    }
     return publish(estimate, Tick::estimated);
   }
 
@@ -66,8 +88,8 @@ class RunLoop {
  private:
   /// Later than the last one by its number (which may wrap round) and by its stamp, and not of the future. After a
   /// silence the camera may have been started anew and count from anywhere; its stamps still only rise.
-  bool is_next(const Frame& frame) noexcept {
-    if (frame.t_exposure > clock_.now()) return false;
+  bool is_next(const Frame& frame, Timestamp now) noexcept {
+    if (frame.t_exposure > now) return false;
     if (any_frame_) {
       const auto ahead = static_cast<std::int32_t>(frame.sequence - last_sequence_);
       if (frame.t_exposure <= t_last_ || (ahead <= 0 && !may_restart_)) return false;
@@ -86,7 +108,25 @@ class RunLoop {
     return true;
   }
 
-  Tick publish(typename Tracker::EstimateType estimate, Tick done) noexcept {
+  /// The prediction, for as long as a silent camera can be believed to come back with the object still near it.
+  EstimateType without_frame(Status camera, Timestamp now) const noexcept {
+    using tracker::Reason, tracker::TrackingStatus;
+    EstimateType estimate = tracker_.coast(now);
+    if (estimate.reason == Reason::no_start) return estimate;
+    const double silent_periods = seconds_between(t_last_, now) / std::chrono::duration<double>(times_.period).count();
+    const bool gone = camera == Status::no_device;
+    const bool dead = gone || !any_frame_ || silent_periods > LoopTimes::kLost_periods;
+    if (dead || silent_periods > LoopTimes::kStalled_periods) {
+      estimate.reason = gone ? Reason::camera_gone : Reason::camera_stalled;
+      if (estimate.status == TrackingStatus::coasting) {
+        estimate.status = dead ? TrackingStatus::lost : TrackingStatus::degraded;
+        estimate.valid = !dead;
+      }
+    }
+    return estimate;
+  }
+
+  Tick publish(EstimateType estimate, Tick done) noexcept {
     estimate.frame = number_;
     if (link_.publish(estimate) == Status::ok) return done;
     ++counters_.link_errors;
@@ -97,7 +137,7 @@ class RunLoop {
   Clock& clock_;
   Link& link_;
   Tracker& tracker_;
-  std::chrono::milliseconds wait_;
+  LoopTimes times_;
   Counters counters_{};
   static constexpr int kRefusalsToRestart = 10;  ///< then the camera counts anew, it does not stutter
 

@@ -97,7 +97,7 @@ int simulate(const Arguments& arguments) {
   using Model = typename Scenario::Model;
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   constexpr double kRate_hz = 30;
-  constexpr std::chrono::milliseconds kWait{50};
+  constexpr hal::LoopTimes kTimes{.period = std::chrono::nanoseconds{33'333'333}};
 
   const double duration_s = arguments.duration_s > 0 ? arguments.duration_s : Scenario::kDuration_s;
   SimCamera::Options camera_options;
@@ -121,7 +121,7 @@ int simulate(const Arguments& arguments) {
     return fail(links.file.problem());
   }
 
-  hal::RunLoop loop{camera, clock, links, timed_tracker, kWait};
+  hal::RunLoop loop{camera, clock, links, timed_tracker, kTimes};
   if (loop.start() != Status::ok) return fail("the simulated camera does not start");
   {
     ProgressBar bar{camera_options.num_frames};

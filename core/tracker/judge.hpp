@@ -36,6 +36,7 @@ class Judge {
   }
 
   Verdict decide(const Evidence& evidence, Timestamp t) noexcept {
+    if (!any_frame_) any_frame_ = true, t_begin_ = t;
     misfits_ = evidence.complete && evidence.converged && !evidence.agrees ? misfits_ + 1 : 0;
     const Verdict verdict = consider(evidence, t);
     const bool good = verdict.status == TrackingStatus::tracking || verdict.status == TrackingStatus::degraded;
@@ -47,7 +48,9 @@ class Judge {
   /// The verdict where nothing was measured, whatever the reason. Changes nothing.
   Verdict unmeasured(Reason reason, Timestamp t) const noexcept {
     if (following(t)) return {TrackingStatus::coasting, reason};
-    return {ever_measured_ ? TrackingStatus::lost : TrackingStatus::initialising, reason};
+    // q0 is a prediction, too: not found in the time that one is worth, the object is lost from the beginning.
+    const bool begins = !ever_measured_ && (!any_frame_ || seconds_between(t_begin_, t) <= options_.coast_time_s);
+    return {begins ? TrackingStatus::initialising : TrackingStatus::lost, reason};
   }
 
  private:
@@ -73,6 +76,8 @@ class Judge {
   }
 
   Options options_;
+  bool any_frame_{false};
+  Timestamp t_begin_{};
   bool ever_measured_{false};
   Timestamp t_measured_{};
   int misfits_{};

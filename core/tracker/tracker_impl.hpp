@@ -96,8 +96,10 @@ bool Tracker<Model, Scalar>::fits(const ImageView& image) const noexcept {
 template <class Model, class Scalar>
 auto Tracker<Model, Scalar>::coast(Timestamp t, Reason reason) const noexcept -> EstimateType {
   MotionPrior<Model, Scalar> motion = motion_;
+  const bool following = judge_.following(t);
+  if (!following) motion.halt();  // not into the blue
   (void)motion.advance(t);
-  if (!judge_.following(t)) motion.widen();
+  if (!following) motion.widen();
   Verdict verdict = judge_.unmeasured(reason, t);
   if (!has_start_) verdict = {TrackingStatus::initialising, Reason::no_start};
   if (reason == Reason::image_mismatch && !judge_.following(t)) verdict.status = TrackingStatus::fault;

@@ -169,7 +169,7 @@ class Replay {
   hal::FileLink<Estimate> file_;
   Link link_{file_};
   hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{camera_, clock_, link_, timed_,
-                                                                    std::chrono::milliseconds{0}};
+                                                                    {.period = std::chrono::nanoseconds(from_seconds(1 / options_.rate_hz).ns)}};
   Summary summary_;
 };
 

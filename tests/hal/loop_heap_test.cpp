@@ -36,7 +36,7 @@ void expect_no_heap_call_in(tracker::Mode mode) {
   hal::MemoryCamera camera;
   hal::ManualClock clock;
   hal::LatestLink<typename Tracker::EstimateType> link;
-  hal::RunLoop loop{camera, clock, link, tracker, std::chrono::milliseconds{40}};
+  hal::RunLoop loop{camera, clock, link, tracker, {.period = std::chrono::milliseconds{33}}};
 
   int seen[6]{};
   const test::HeapTrap trap;

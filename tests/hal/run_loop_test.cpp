@@ -13,23 +13,39 @@ namespace {
 
 using hal::Tick;
 
+using tracker::Reason;
+using tracker::TrackingStatus;
+
 struct FakeEstimate {
   std::uint32_t frame{};
   Timestamp t_capture{};
-  bool coasted{};
+  TrackingStatus status{};
+  Reason reason{};
+  bool valid{};
 };
 
 /// Counts what the loop asks of a tracker.
 struct FakeTracker {
   using EstimateType = FakeEstimate;
   int steps{}, coasts{};
-  FakeEstimate step(const ImageView&, Timestamp t) noexcept { return ++steps, FakeEstimate{0, t, false}; }
-  FakeEstimate coast(Timestamp t) noexcept { return ++coasts, FakeEstimate{0, t, true}; }
+  FakeEstimate step(const ImageView&, Timestamp t) noexcept { return ++steps, FakeEstimate{0, t, TrackingStatus::tracking, Reason::none, true}; }
+  FakeEstimate coast(Timestamp t) noexcept {
+    return ++coasts, FakeEstimate{0, t, TrackingStatus::coasting, Reason::no_frame, true};
+  }
+};
+
+struct UnpluggedCamera {
+  Status start() noexcept { return Status::no_device; }
+  void stop() noexcept {}
+  Status acquire(hal::Frame&, std::chrono::milliseconds) noexcept { return Status::no_device; }
+  void release(hal::Frame&) noexcept {}
 };
 
 struct BrokenLink {
   Status publish(const FakeEstimate&) noexcept { return Status::io_error; }
 };
+
+constexpr hal::LoopTimes kTimes{.period = std::chrono::milliseconds{100}, .max_age_s = 0.15};
 
 class RunLoop : public testing::Test {
  protected:
@@ -45,7 +61,7 @@ class RunLoop : public testing::Test {
   hal::LatestLink<FakeEstimate> link_;
   FakeTracker tracker_;
   hal::RunLoop<hal::MemoryCamera, hal::ManualClock, hal::LatestLink<FakeEstimate>, FakeTracker> loop_{
-      camera_, clock_, link_, tracker_, std::chrono::milliseconds{40}};
+      camera_, clock_, link_, tracker_, kTimes};
 };
 
 TEST_F(RunLoop, GivesOneEstimateAFrameWithItsNumberAndCaptureTime) {
@@ -65,7 +81,7 @@ TEST_F(RunLoop, RefusesDuplicatesAndFramesOutOfOrderWithoutAStepAndSpeaksAllTheS
   EXPECT_EQ(show(8, 1.4), Tick::refused);  // an older one
   EXPECT_EQ(tracker_.steps, 1);
   EXPECT_EQ(link_.published(), 5u);
-  EXPECT_TRUE(link_.latest().coasted);
+  EXPECT_EQ(link_.latest().status, TrackingStatus::coasting);
   EXPECT_EQ(loop_.counters().refused, 4u);
   EXPECT_EQ(show(8, 1.7), Tick::estimated);
 }
@@ -101,15 +117,54 @@ TEST_F(RunLoop, SpeaksAlsoWhenTheCameraIsSilent) {
   (void)show(7, 1.0);
   clock_.set(from_seconds(1.1));
   EXPECT_EQ(loop_.run_once(), Tick::coasted);
-  EXPECT_TRUE(link_.latest().coasted);
+  EXPECT_EQ(link_.latest().status, TrackingStatus::coasting);
   EXPECT_EQ(link_.latest().frame, 0u);
   EXPECT_EQ(link_.latest().t_capture, from_seconds(1.1));
   EXPECT_EQ(loop_.counters().timeouts, 1u);
 }
 
+TEST_F(RunLoop, DegradesAfterTwoAndAHalfSilentPeriodsAndIsLostAfterTen) {
+  (void)show(0, 1.0);
+  const auto after = [this](double periods) {
+    clock_.set(from_seconds(1.0 + 0.1 * periods));
+    EXPECT_EQ(loop_.run_once(), Tick::coasted);
+    return link_.latest();
+  };
+  EXPECT_EQ(after(2.4).status, TrackingStatus::coasting);
+  EXPECT_EQ(link_.latest().reason, Reason::no_frame);
+  EXPECT_EQ(after(2.6).status, TrackingStatus::degraded);
+  EXPECT_EQ(link_.latest().reason, Reason::camera_stalled);
+  EXPECT_TRUE(link_.latest().valid);
+  EXPECT_EQ(after(9.9).status, TrackingStatus::degraded);
+  EXPECT_EQ(after(10.1).status, TrackingStatus::lost);
+  EXPECT_EQ(link_.latest().reason, Reason::camera_stalled);
+  EXPECT_FALSE(link_.latest().valid);
+  EXPECT_EQ(show(1, 3.0), Tick::estimated);
+  EXPECT_EQ(link_.latest().status, TrackingStatus::tracking);
+}
+
+TEST_F(RunLoop, IsLostAtOnceWhenTheCameraIsUnplugged) {
+  UnpluggedCamera unplugged;
+  hal::RunLoop loop{unplugged, clock_, link_, tracker_, kTimes};
+  EXPECT_EQ(loop.run_once(), Tick::failed);
+  EXPECT_EQ(link_.latest().status, TrackingStatus::lost);
+  EXPECT_EQ(link_.latest().reason, Reason::camera_gone);
+  EXPECT_FALSE(link_.latest().valid);
+}
+
+TEST_F(RunLoop, FlagsAResultThatComesOutTooLate) {
+  (void)show(0, 1.0);
+  EXPECT_EQ(link_.latest().reason, Reason::none);
+  clock_.set(from_seconds(1.3));
+  camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(1.1), 1});
+  EXPECT_EQ(loop_.run_once(), Tick::estimated);
+  EXPECT_EQ(link_.latest().reason, Reason::late_result);
+  EXPECT_EQ(loop_.counters().late, 1u);
+}
+
 TEST_F(RunLoop, ReportsALinkThatFails) {
   BrokenLink broken;
-  hal::RunLoop loop{camera_, clock_, broken, tracker_, std::chrono::milliseconds{40}};
+  hal::RunLoop loop{camera_, clock_, broken, tracker_, kTimes};
   clock_.set(from_seconds(1));
   camera_.hand_over({{&pixel_, 1, 1, 1}, from_seconds(1), 0});
   EXPECT_EQ(loop.run_once(), Tick::failed);

@@ -29,6 +29,16 @@ TEST(Judge, InitialisesUntilThereIsEnoughToSee) {
   EXPECT_EQ(verdict.reason, Reason::few_markers);
 }
 
+TEST(Judge, IsLostWhenAStartIsNotFoundInTheTimeThatAPredictionIsWorth) {
+  Judge judge{{}};
+  const Evidence nothing{.matched = 0};
+  EXPECT_EQ(judge.decide(nothing, at(7.0)).status, initialising);
+  EXPECT_EQ(judge.decide(nothing, at(7.5)).status, initialising);
+  EXPECT_EQ(judge.decide(nothing, at(7.51)).status, lost);
+  EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(7.6)).status, lost);
+  EXPECT_EQ(judge.decide(kGood, at(9)).status, tracking);
+}
+
 TEST(Judge, CoastsForTheStatedTimeAndIsLostThen) {
   Judge judge{{}};
   (void)judge.decide(kGood, at(0));
