@@ -39,10 +39,7 @@ function(articam_add_model name)
     list(APPEND options --poi ${point})
   endforeach()
 
-  # KitchenDoor -> kitchen_door, LBRArm7 -> lbr_arm7
-  string(REGEX REPLACE "([A-Z]+)([A-Z][a-z])" "\\1_\\2" snake ${name})
-  string(REGEX REPLACE "([a-z0-9])([A-Z])" "\\1_\\2" snake ${snake})
-  string(TOLOWER ${snake} snake)
+  articam_snake_case(${name} snake)
   set(root ${CMAKE_CURRENT_BINARY_DIR}/articam_models/${name})  # of its own: a target sees only its models
   set(header ${root}/models/${snake}.hpp)
   file(MAKE_DIRECTORY ${root}/models)
@@ -57,6 +54,8 @@ function(articam_add_model name)
   add_library(articam_models_${name} INTERFACE)
   add_library(articam::models::${name} ALIAS articam_models_${name})
   add_dependencies(articam_models_${name} articam_model_${name})
+  set_target_properties(articam_models_${name} PROPERTIES
+    ARTICAM_HEADER models/${snake}.hpp ARTICAM_NAME articam::models::${name})
   target_include_directories(articam_models_${name} INTERFACE ${root})
   target_link_libraries(articam_models_${name} INTERFACE articam::core)
 endfunction()

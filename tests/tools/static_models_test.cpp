@@ -8,6 +8,7 @@
 
 #include "core/model/configuration.hpp"
 #include "tools/modelgen/compile_model.hpp"
+#include "tools/modelgen/emit_camera.hpp"
 #include "tools/modelgen/read_camera.hpp"
 
 namespace articam::models {
@@ -47,6 +48,44 @@ INSTANTIATE_TEST_SUITE_P(All, StaticModel,
                          testing::Values(Committed{"printer_drawer", "PrinterDrawer"}, Committed{"mire", "Mire"},
                                          Committed{"mire_distance", "MireDistance"}),
                          [](const auto& test) { return test.param.type; });
+
+TEST(StaticCameras, AreWhatTheirSourcesGive) {
+  for (const auto& [stem, type] : {std::pair{"xtion_vga", "XtionVga"}, std::pair{"mire_384x288", "Mire384x288"}}) {
+    const std::string path = kFolder + "cameras/" + stem;
+    modelgen::Diagnostics diagnostics;
+    const auto source = modelgen::read_source(path + ".yaml", diagnostics);
+    ASSERT_TRUE(source) << diagnostics.text();
+    const auto camera = modelgen::read_camera(*source, diagnostics);
+    ASSERT_TRUE(camera) << diagnostics.text();
+    EXPECT_EQ(read(path + ".hpp"), modelgen::emit_camera(*camera, *source, type))
+        << "out of date; update it:  cmake --build build/host-release --target regenerate_static_models";
+  }
+}
+
+/// Every number differs from every other and from its default: none can be left out or take another's place.
+constexpr const char* kCamera = R"(image_width: 641
+image_height: 479
+camera_matrix: {rows: 3, cols: 3, data: [525.25, 0, 319.5, 0, 524.1, 239.25, 0, 0, 1]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [0.1, -0.2, 0.003, 0.0004, 1e-5]}
+readout_time_s: 0.02
+T_base_cam: {position: [1.5, -2.5, 0.1], quaternion_wxyz: [0.8, 0, 0.6, 0]}
+)";
+
+TEST(EmittedCamera, SaysEveryNumberOfItsFile) {
+  modelgen::Diagnostics diagnostics;
+  const modelgen::SourceFile source{"folder/front.yaml", kCamera};
+  const auto camera = modelgen::read_camera(source, diagnostics);
+  ASSERT_TRUE(camera) << diagnostics.text();
+  const std::string header = modelgen::emit_camera(*camera, source, "Front");
+  for (const char* const text :
+       {"constexpr CameraParameters kFront{", ".width_px = 641,", ".height_px = 479,", ".fx_px = 525.25,",
+        ".fy_px = 524.1,", ".cx_px = 319.5,", ".cy_px = 239.25,", ".distortion = {0.1, -0.2, 0.003, 4e-04, 1e-05},",
+        ".readout_time_s = 0.02,", ".has_t_base_cam = true,", ".t_base_cam_m = {1.5, -2.5, 0.1},",
+        ".r_base_cam_wxyz = {0.8, 0, 0.6, 0},", "//   camera  front.yaml  sha256 "}) {
+    EXPECT_NE(header.find(text), std::string::npos) << text << "\nis not in\n" << header;
+  }
+}
 
 TEST(StaticModels, TellWhenANameIsNotTheirs) {
   EXPECT_FALSE(visit_model("absent", []<class Model>() {}));

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <utility>
+
+#include "tools/modelgen/emit_text.hpp"
 
 namespace articam::modelgen {
 namespace {
@@ -18,12 +19,6 @@ struct Column {
   std::string title;
   Texts cells;
 };
-
-/// Shortest text that reads back as the same number, in every locale.
-std::string number(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 std::string limit(double x) {
   if (x == model::kUnlimited) return "model::kUnlimited";
@@ -44,13 +39,6 @@ std::string literal(const std::string& text) {
     quoted += c >= 0x20 && c < 0x7f ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
   }
   return quoted + '"';
-}
-
-/// Text for a // comment, which no character may leave or continue.
-std::string comment(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < 0x20 || c >= 0x7f || c == '\\' || c == '?'; }, '_');
-  return text;
 }
 
 std::string_view word(model::JointKind kind) {
