@@ -67,7 +67,7 @@ void LibcameraCamera::open_and_start() {
   if (!layout_->in_place()) copy_.resize(static_cast<std::size_t>(options_.width_px * options_.height_px));
   describe(id, controls);
   newest_.reset();
-  clock_agrees_ = false;
+  clock_ = Clock::unknown;
   capturing_ = true;
   device_->start(controls, *this);
 }
@@ -111,14 +111,13 @@ void LibcameraCamera::describe(const std::string& id, const Controls& controls) 
 }
 
 void LibcameraCamera::await_first_frame() {
-  const std::uint64_t strays = counts().wrong_stamp;
   const int buffer = newest_.take(options_.first_frame_wait);
   if (buffer >= 0) return give_back(buffer);
   if (buffer == NewestFrame::kNone) {
     throw StartProblem{Status::timeout, "no good frame within " + std::to_string(options_.first_frame_wait.count()) +
                                             " ms of the start"};
   }
-  if (clock_agrees_ || counts().wrong_stamp == strays) {
+  if (clock_ != Clock::differs) {
     throw StartProblem{Status::no_device, "the camera was unplugged as it started"};
   }
   throw StartProblem{Status::bad_argument,
@@ -174,10 +173,13 @@ void LibcameraCamera::completed(const CompletedBuffer& buffer) noexcept {
   if (const auto refused = objection(buffer)) {
     count(*refused);
     if (*refused == kWrongStamp) wrong_stamp_ns_ = buffer.stamp.ns;
-    if (*refused == kWrongStamp && !clock_agrees_) return newest_.close();
+    if (*refused == kWrongStamp && clock_ == Clock::unknown) {
+      clock_ = Clock::differs;
+      return newest_.close();
+    }
     return give_back(buffer.buffer);
   }
-  clock_agrees_ = true;
+  clock_ = Clock::agrees;
   stamped_[static_cast<std::size_t>(buffer.buffer)] = {buffer.sequence, mid_exposure(buffer)};
   const int overtaken = newest_.post(buffer.buffer);
   if (overtaken == NewestFrame::kNone) return;

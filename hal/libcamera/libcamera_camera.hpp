@@ -24,11 +24,11 @@ namespace articam::hal {
 enum class StampMarks : std::uint8_t { exposure_start, readout_start };
 
 struct LibcameraOptions {
-  std::string camera;  ///< its id, or its place in the list as a number; empty: the first one
+  std::string camera{};  ///< its id, or its place in the list as a number; empty: the first one
   int width_px{}, height_px{};
-  std::chrono::microseconds period{};                 ///< of the frames; 0: the camera's own
-  std::optional<std::chrono::microseconds> exposure;  ///< none: automatic
-  std::optional<double> gain;                         ///< factor, at least 1; none: automatic
+  std::chrono::microseconds period{};                   ///< of the frames; 0: the camera's own
+  std::optional<std::chrono::microseconds> exposure{};  ///< none: automatic
+  std::optional<double> gain{};                         ///< factor, at least 1; none: automatic
   StampMarks stamp{StampMarks::exposure_start};
   std::chrono::milliseconds max_age{1000};  ///< a stamp older than this, or of the future, is of another clock
   std::chrono::milliseconds first_frame_wait{5000};
@@ -70,6 +70,7 @@ class LibcameraCamera final : private CaptureEvents {
 
  private:
   enum Counted { kOvertaken, kStartingUp, kCorrupt, kCancelled, kWrongSize, kWrongStamp, kCopied, kNumCounted };
+  enum class Clock : std::uint8_t { unknown, agrees, differs };  ///< what the first frame showed of its stamps
   struct Stamped {
     std::uint32_t sequence{};
     Timestamp t_exposure{};
@@ -95,7 +96,7 @@ class LibcameraCamera final : private CaptureEvents {
   std::vector<Stamped> stamped_;    ///< by buffer; written before its post, read after its take
   NewestFrame newest_;
   std::atomic<bool> capturing_{false};
-  std::atomic<bool> clock_agrees_{false};       ///< a frame has come with a stamp of the monotonic clock
+  std::atomic<Clock> clock_{Clock::unknown};
   std::atomic<std::int64_t> wrong_stamp_ns_{};  ///< the newest that was refused
   std::array<std::atomic<std::uint64_t>, kNumCounted> counts_{};
   int lent_{NewestFrame::kNone};
