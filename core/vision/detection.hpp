@@ -19,6 +19,7 @@ constexpr double from_q16(std::int32_t q) noexcept { return static_cast<double>(
 struct Ellipse {
   std::int32_t u_q16{}, v_q16{};
   std::int32_t m00_q16{}, m10_q16{}, m11_q16{};
+  constexpr bool operator==(const Ellipse&) const noexcept = default;
 };
 
 struct Detection {
@@ -26,6 +27,7 @@ struct Detection {
   Ellipse outer{};                      ///< outer edge of a ring, edge of a dot
   Ellipse inner{};                      ///< inner edge of a ring; zero otherwise
   std::uint32_t centre_variance_q16{};  ///< variance of u and of v of the outer centre, px^2, Q16
+  constexpr bool operator==(const Detection&) const noexcept = default;
 };
 
 using Detections = FixedVector<Detection, kMaxDetections>;

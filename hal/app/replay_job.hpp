@@ -3,19 +3,16 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/config.hpp"
+#include "hal/app/start.hpp"
 #include "hal/firmware.hpp"
 #include "hal/link/file_link.hpp"
 #include "hal/link/tee_link.hpp"
@@ -31,18 +28,13 @@ namespace articam::app {
 struct ReplayOptions {
   CameraParameters camera{};
   std::vector<std::filesystem::path> files;
+  int repeat{1};  ///< the files so many times, as one recording
   double rate_hz{30};
   std::string q0;  ///< empty: the model's own
   tracker::Mode mode{tracker::Mode::standard};
   std::string output, overlay_folder;
   bool show_progress{};
 };
-
-/// Numbers separated by white space, in any locale; nothing where the text holds anything else.
-std::optional<std::vector<double>> parse_numbers(const std::string& text);
-
-/// Why a tracker cannot start there, or nothing. At least the three numbers of the base's position.
-std::string why_no_start(const std::vector<double>& numbers);
 
 /// Returns what went wrong, or nothing; an empty path is nothing to do.
 std::string create_folder(const std::string& path);
@@ -79,24 +71,6 @@ hal::Overlay overlay_of(const tracker::Tracker<Model, S>& tracker, const tracker
   return overlay;
 }
 
-/// Sets the start of a tracker from the text of --q0. Returns what is wrong with it, or nothing.
-template <class Model, class S>
-std::string set_start(tracker::Tracker<Model, S>& tracker, const std::string& text) {
-  constexpr std::size_t kNumbers = 7 + Model::kJoints.size();
-  const auto numbers = parse_numbers(text);
-  if (!numbers || numbers->size() != kNumbers) {
-    return fmt::format("--q0 '{}': expected {} numbers: px py pz qw qx qy qz and {} joint value(s)", text, kNumbers,
-                       Model::kJoints.size());
-  }
-  if (const auto problem = why_no_start(*numbers); !problem.empty()) return fmt::format("--q0 '{}': {}", text, problem);
-  std::array<double, kNumbers> fixed{};
-  std::copy(numbers->begin(), numbers->end(), fixed.begin());
-  const auto q0 = model::from_numbers<Model, S>(fixed);
-  if (!q0.ok()) return fmt::format("--q0 '{}': the quaternion qw qx qy qz is zero, or a number is not finite", text);
-  tracker.set_start(q0.value());
-  return {};
-}
-
 /// Slow recordings are integrated as well: a few of their frames may be missing.
 inline tracker::Options tracker_options(const ReplayOptions& options) {
   tracker::Options tracker_options{.mode = options.mode};
@@ -113,13 +87,15 @@ class Replay {
   /// All of it. Returns what went wrong, or nothing.
   std::string run() {
     if (!options_.q0.empty()) {
-      if (const auto problem = set_start(tracker_, options_.q0); !problem.empty()) return problem;
+      if (const auto problem = set_start(tracker_, parse_numbers(options_.q0), options_.q0); !problem.empty())
+        return problem;
     }
     if (const auto problem = create_folder(options_.overlay_folder); !problem.empty()) return problem;
     if (file_.open(options_.output) != Status::ok) return file_.problem();
-    for (std::size_t frame = 0; frame < options_.files.size(); ++frame) {
+    const std::size_t num_frames = files_.size();
+    for (std::size_t frame = 0; frame < num_frames; ++frame) {
       if (const auto problem = play(frame); !problem.empty()) return problem;
-      if (options_.show_progress) show_progress(frame + 1, options_.files.size());
+      if (options_.show_progress) show_progress(frame + 1, num_frames);
     }
     return file_.close() == Status::ok ? std::string{} : file_.problem();
   }
@@ -143,7 +119,7 @@ class Replay {
     if (tick == hal::Tick::failed) return camera_.problem();
     const Estimate& estimate = link_.latest();
     if (estimate.reason == tracker::Reason::image_mismatch) {
-      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", options_.files[frame].string(),
+      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", files_[frame].string(),
                          camera_.image().width_px, camera_.image().height_px, options_.camera.width_px,
                          options_.camera.height_px);
     }
@@ -160,16 +136,23 @@ class Replay {
     return why;
   }
 
+  static std::vector<std::filesystem::path> repeated(const ReplayOptions& options) {
+    std::vector<std::filesystem::path> files;
+    for (int i = 0; i < options.repeat; ++i) files.insert(files.end(), options.files.begin(), options.files.end());
+    return files;
+  }
+
   const ReplayOptions& options_;
+  const std::vector<std::filesystem::path> files_ = repeated(options_);
   Tracker tracker_{options_.camera, tracker_options(options_)};
-  hal::PgmCamera camera_{options_.files, options_.rate_hz};
+  hal::PgmCamera camera_{files_, options_.rate_hz};
   hal::ManualClock clock_;
   const hal::MonotonicClock stopwatch_{};
   Timed timed_{tracker_, stopwatch_};
   hal::FileLink<Estimate> file_;
   Link link_{file_};
-  hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{camera_, clock_, link_, timed_,
-                                                                    {.period = std::chrono::nanoseconds(from_seconds(1 / options_.rate_hz).ns)}};
+  hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{
+      camera_, clock_, link_, timed_, {.period = std::chrono::nanoseconds(from_seconds(1 / options_.rate_hz).ns)}};
   Summary summary_;
 };
 

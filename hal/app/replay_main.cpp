@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 
+#include "hal/app/recording_job.hpp"
 #include "hal/app/replay_job.hpp"
 #include "static_models/registry.hpp"
 #include "tools/modelgen/read_camera.hpp"
@@ -20,6 +21,8 @@ constexpr const char* kExample = R"(
 Example
   articam-replay mire --camera static_models/cameras/mire_384x288.yaml \
       --frames /usr/share/visp-images-data/ViSP-images/mire-2 --max-frames 250 -o est.csv
+
+  articam-replay printer_drawer --recording run.rec -o est.csv       what a board recorded, again
 
 MODEL is a folder of static_models; --list names them. Frames are binary 8-bit PGM files, sorted by name; quote a
 pattern. q0 is where the search begins: base pose in the camera frame (x right, y down, z forward; m), quaternion
@@ -41,12 +44,24 @@ int fail(const std::string& message) {
   return 1;
 }
 
+/// The exit code of `job.operator()<Model>()`, which returns what went wrong, or nothing.
+template <class Job>
+int run_for(const std::string& model, Job&& job) {
+  std::string problem;
+  if (articam::models::visit_model(model, [&]<class Model>() { problem = job.template operator()<Model>(); })) {
+    return problem.empty() ? 0 : fail(problem);
+  }
+  fail(fmt::format("no model '{}'; known: {}", model, fmt::join(articam::models::kStaticModelNames, ", ")));
+  return 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Estimates an object's configuration from recorded camera frames, one CSV row a frame.",
                "articam-replay"};
   ReplayOptions options;
+  articam::app::RecordingOptions recording;
   std::string model, camera_file;
   std::vector<std::string> sources;
   std::size_t max_frames = 0;
@@ -57,6 +72,12 @@ int main(int argc, char** argv) {
   app.add_flag("--list", list, "name the models and stop");
   auto* camera_option = app.add_option("--camera", camera_file, "ROS calibration YAML of the camera");
   auto* frames_option = app.add_option("--frames", sources, "folder, pattern or files of PGM frames");
+  app.add_option("--repeat", options.repeat, "play the frames so many times, as one recording")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  auto* recording_option = app.add_option("--recording", recording.recording,
+                                          "instead of camera and frames: what articam-board --record wrote");
+  app.add_option("--recorded-frames", recording.frames, "its frames, to look at them again")->needs(recording_option);
   app.add_option("--max-frames", max_frames, "stop after so many frames (0: all)");
   app.add_option("--fps", options.rate_hz, "frames per second")->capture_default_str()->check(CLI::Range(0.1, 10000.0));
   app.add_option("--q0", options.q0, "'px py pz qw qx qy qz q1 q2 ...' (default: the model's own)");
@@ -69,8 +90,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (!list) {
-      for (const auto* required : {model_option, camera_option, frames_option, output_option}) {
-        if (required->count() == 0) throw CLI::RequiredError(required->get_name());
+      std::vector<const CLI::Option*> required{model_option, output_option};
+      if (recording_option->count() == 0) required.insert(required.end(), {camera_option, frames_option});
+      for (const auto* option : required) {
+        if (option->count() == 0) throw CLI::RequiredError(option->get_name());
       }
     }
   } catch (const CLI::ParseError& e) {
@@ -79,6 +102,12 @@ int main(int argc, char** argv) {
   if (list) {
     for (const auto name : articam::models::kStaticModelNames) fmt::print("{}\n", name);
     return 0;
+  }
+
+  const auto run = [&model](auto&& job) { return run_for(model, job); };
+  if (recording_option->count() > 0) {
+    recording.output = options.output;
+    return run([&]<class Model>() { return articam::app::replay_recording<Model>(recording); });
   }
 
   articam::modelgen::Diagnostics diagnostics;
@@ -91,12 +120,5 @@ int main(int argc, char** argv) {
   if (max_frames > 0 && options.files.size() > max_frames) options.files.resize(max_frames);
   options.show_progress = ::isatty(STDERR_FILENO) != 0;
 
-  std::string problem;
-  const bool known =
-      articam::models::visit_model(model, [&]<class Model>() { problem = articam::app::replay<Model>(options); });
-  if (!known) {
-    fail(fmt::format("no model '{}'; known: {}", model, fmt::join(articam::models::kStaticModelNames, ", ")));
-    return 2;
-  }
-  return problem.empty() ? 0 : fail(problem);
+  return run([&]<class Model>() { return articam::app::replay<Model>(options); });
 }

@@ -1,0 +1,26 @@
+# articam_add_board(name MODEL Model CAMERA Camera)
+#
+# The board's program for one model and one camera, of articam_add_model and articam_add_camera, or of our
+# static_models. Cross-compiled like any program; `name --help` teaches its options.
+function(articam_add_board name)
+  cmake_parse_arguments(arg "" "MODEL;CAMERA" "" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "articam_add_board(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(kind MODEL CAMERA)
+    string(TOLOWER ${kind} word)
+    set(target articam::${word}s::${arg_${kind}})
+    if(NOT TARGET ${target})
+      message(FATAL_ERROR "articam_add_board(${name}): there is no ${word} '${arg_${kind}}': articam_add_${word} makes one")
+    endif()
+    get_target_property(${word}_header ${target} ARTICAM_HEADER)
+    get_target_property(${word}_name ${target} ARTICAM_NAME)
+    set(${word} ${arg_${kind}})
+    list(APPEND libraries ${target})
+  endforeach()
+
+  set(main ${CMAKE_CURRENT_BINARY_DIR}/${name}_main.cpp)
+  configure_file(${articam_SOURCE_DIR}/hal/app/board/board_main.cpp.in ${main} @ONLY)
+  add_executable(${name} ${main})
+  target_link_libraries(${name} PRIVATE ${libraries} articam::board)
+endfunction()

@@ -1,0 +1,66 @@
+#pragma once
+/// @file  The camera that the options name.
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "core/camera_parameters.hpp"
+#include "hal/app/board/board_options.hpp"
+#include "hal/replay/loop_camera.hpp"
+#include "hal/replay/pgm_camera.hpp"
+#ifdef ARTICAM_WITH_LIBCAMERA
+#include "hal/libcamera/libcamera_camera.hpp"
+#endif
+
+namespace articam::app {
+
+/// What to say when a camera does not start.
+template <class Camera>
+std::string why_no_camera(const BoardOptions& options, Status status, const Camera& camera) {
+  const std::string why{camera.problem()};
+  return fmt::format("the camera {} does not start: {}", options.device, why.empty() ? std::string{name(status)} : why);
+}
+
+inline std::chrono::microseconds frame_period(const BoardOptions& options) {
+  return std::chrono::microseconds{static_cast<std::int64_t>(1e6 / options.rate_hz + 0.5)};
+}
+
+/// Starts a real camera and keeps it alive while `job` runs with it.
+template <class Camera, class Job>
+std::string with_real_camera(const BoardOptions& options, Camera& camera, Job&& job) {
+  if (const Status status = camera.start(); status != Status::ok) return why_no_camera(options, status, camera);
+  fmt::print(stderr, "camera  {}\n", camera.description());
+  return job(camera);
+}
+
+/// Calls `job(camera)` with the camera of the options, started. Returns what went wrong, or nothing.
+template <class Job>
+std::string with_camera(const BoardOptions& options, const CameraParameters& parameters, Job&& job) {
+  const int width_px = parameters.width_px, height_px = parameters.height_px;
+  switch (options.source) {
+    case BoardOptions::Source::replay: {
+      hal::LoopCamera camera{
+          {hal::find_frames(options.device), options.rate_hz, width_px, height_px, options.num_frames}};
+      const Status status = camera.start();
+      return status == Status::ok ? job(camera) : why_no_camera(options, status, camera);
+    }
+    case BoardOptions::Source::v4l2: {
+      return "v4l2";
+    }
+    case BoardOptions::Source::libcamera:
+      break;
+  }
+#ifdef ARTICAM_WITH_LIBCAMERA
+  hal::LibcameraOptions chosen{.camera = options.device, .width_px = width_px, .height_px = height_px};
+  chosen.period = frame_period(options);
+  if (options.exposure_us) chosen.exposure = std::chrono::microseconds{static_cast<std::int64_t>(*options.exposure_us)};
+  chosen.gain = options.gain;
+  hal::LibcameraCamera camera{chosen};
+  return with_real_camera(options, camera, job);
+#else
+  return "this program was built without libcamera: use --camera v4l2:DEV or replay:DIR";
+#endif
+}
+
+}  // namespace articam::app

@@ -1,0 +1,121 @@
+#include "hal/record/recorder.hpp"
+
+#include <cstring>
+
+#include "hal/wire/crc32.hpp"
+
+namespace articam::hal {
+namespace {
+
+constexpr std::size_t kCrcOffset = 8;  ///< of what the CRC of a tick covers: behind its size and itself
+constexpr std::size_t kSlotCrcOffset = 4;
+
+std::uint32_t crc_of(std::span<const std::byte> bytes) noexcept {
+  return wire::crc32({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+template <class Plain>
+void put(std::span<std::byte> block, std::size_t offset, const Plain& x) noexcept {
+  std::memcpy(block.data() + offset, &x, sizeof x);
+}
+
+}  // namespace
+
+Status Recorder::open_ticks(const std::string& path, std::uint64_t max_bytes, const RecordingHeader& header) noexcept {
+  constexpr std::size_t kNumBlocks = 256;  // seconds of ticks, should the disk be slow
+  static_assert(kMaxTickBytes >= sizeof(RecordingHeader));
+  const Status status = ticks_.open({path, max_bytes, kMaxTickBytes, kNumBlocks});
+  if (status != Status::ok) return status;
+  put(ticks_.reserve(), 0, header);
+  ticks_.commit(sizeof header, 0);
+  max_bytes_ = max_bytes;
+  end_ = sizeof header;
+  return Status::ok;
+}
+
+Status Recorder::open_frames(const std::string& path, std::uint32_t num_slots, const RecordingHeader& header) noexcept {
+  constexpr std::size_t kNumBlocks = 8;
+  const auto pixels =
+      static_cast<std::size_t>(header.camera.width_px) * static_cast<std::size_t>(header.camera.height_px);
+  const std::size_t block = sizeof(FrameSlot) + pixels;
+  const Status status = frames_.open({path, sizeof(FrameFileHeader) + num_slots * block, block, kNumBlocks});
+  if (status != Status::ok) return status;
+  put(frames_.reserve(), 0,
+      FrameFileHeader{.model_hash = header.model_hash,
+                      .width_px = header.camera.width_px,
+                      .height_px = header.camera.height_px,
+                      .num_slots = num_slots});
+  frames_.commit(sizeof(FrameFileHeader), 0);
+  num_slots_ = num_slots;
+  return Status::ok;
+}
+
+Status Recorder::close() noexcept {
+  finish_tick();
+  const Status ticks = ticks_.close(end_);
+  const Status frames = frames_.close();
+  return ticks != Status::ok ? ticks : frames;
+}
+
+void Recorder::acquired(Status status, const Frame& frame) noexcept {
+  finish_tick();
+  record_ = {.camera = status, .sequence = frame.sequence, .tick = tick_++, .t_exposure_ns = frame.t_exposure.ns};
+  in_tick_ = true;
+  if (status == Status::ok) keep_frame(frame);
+}
+
+void Recorder::answered(Timestamp now) noexcept {
+  if (in_tick_ && record_.num_times < record_.times_ns.size()) record_.times_ns[record_.num_times++] = now.ns;
+}
+
+void Recorder::stepped(const vision::Detections& detections, bool overloaded, bool mismatched) noexcept {
+  record_.stepped = 1;
+  record_.overloaded = overloaded ? 1 : 0;
+  record_.mismatched = mismatched ? 1 : 0;
+  detections_ = detections;
+}
+
+void Recorder::finish_tick() noexcept {
+  if (!in_tick_) return;
+  in_tick_ = false;
+  if (!ticks_.is_open()) return;
+  record_.num_detections = static_cast<std::uint8_t>(record_.stepped != 0 ? detections_.size() : 0);
+  const std::size_t bytes = sizeof(TickRecord) + record_.num_detections * sizeof(vision::Detection);
+  const std::span<std::byte> block = broken_ || end_ + bytes > max_bytes_ ? std::span<std::byte>{} : ticks_.reserve();
+  if (block.empty()) {
+    broken_ = true;
+    ++counters_.ticks_missed;
+    return;
+  }
+  record_.bytes = static_cast<std::uint32_t>(bytes);
+  put(block, 0, record_);
+  for (std::size_t i = 0; i < record_.num_detections; ++i) {
+    put(block, sizeof(TickRecord) + i * sizeof(vision::Detection), detections_[i]);
+  }
+  put(block, offsetof(TickRecord, crc32), crc_of(block.subspan(kCrcOffset, bytes - kCrcOffset)));
+  ticks_.commit(bytes, end_);
+  end_ += bytes;
+  ++counters_.ticks;
+}
+
+void Recorder::keep_frame(const Frame& frame) noexcept {
+  if (!frames_.is_open() || !frame.pixels.ok()) return;
+  const std::span<std::byte> block = frames_.reserve();
+  const auto width = static_cast<std::size_t>(frame.pixels.width_px);
+  const auto height = static_cast<std::size_t>(frame.pixels.height_px);
+  if (block.size() != sizeof(FrameSlot) + width * height) {  // the writer is behind, or a frame of another size
+    ++counters_.frames_missed;
+    return;
+  }
+  put(block, 0,
+      FrameSlot{.tick = record_.tick, .is_used = 1, .sequence = frame.sequence, .t_exposure_ns = frame.t_exposure.ns});
+  for (std::size_t row = 0; row < height; ++row) {
+    std::memcpy(block.data() + sizeof(FrameSlot) + row * width, frame.pixels.row(static_cast<int>(row)), width);
+  }
+  put(block, 0, crc_of(block.subspan(kSlotCrcOffset)));
+  frames_.commit(block.size(), sizeof(FrameFileHeader) + next_slot_ * block.size());
+  next_slot_ = (next_slot_ + 1) % num_slots_;
+  ++counters_.frames;
+}
+
+}  // namespace articam::hal
