@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <cassert>
 #include <exception>
 #include <utility>
@@ -191,7 +192,9 @@ void LibcameraCamera::disconnected() noexcept { newest_.close(); }
 
 Timestamp LibcameraCamera::mid_exposure(const CompletedBuffer& buffer) const noexcept {
   const std::int64_t half = buffer.exposure_ns / 2;
-  return {options_.stamp == StampMarks::exposure_start ? buffer.stamp.ns + half : buffer.stamp.ns - half};
+  if (options_.stamp == StampMarks::readout_start) return {buffer.stamp.ns - half};
+  // Where the stamp marks the readout after all, a long exposure would be dated into the future.
+  return {std::min(buffer.stamp.ns + half, monotonic_now().ns)};
 }
 
 std::optional<LibcameraCamera::Counted> LibcameraCamera::objection(const CompletedBuffer& buffer) const noexcept {
@@ -204,9 +207,8 @@ std::optional<LibcameraCamera::Counted> LibcameraCamera::objection(const Complet
   }
   const std::int64_t max_age_ns = std::chrono::nanoseconds{options_.max_age}.count();
   const std::int64_t now_ns = monotonic_now().ns;
-  const auto is_recent = [&](std::int64_t ns) { return ns <= now_ns && ns >= now_ns - max_age_ns; };
-  const bool sane = buffer.exposure_ns >= 0 && buffer.exposure_ns <= max_age_ns && is_recent(buffer.stamp.ns);
-  if (!sane || !is_recent(mid_exposure(buffer).ns)) return kWrongStamp;
+  if (buffer.stamp.ns > now_ns || buffer.stamp.ns < now_ns - max_age_ns) return kWrongStamp;
+  if (buffer.exposure_ns < 0 || buffer.exposure_ns > max_age_ns) return kWrongStamp;
   return std::nullopt;
 }
 

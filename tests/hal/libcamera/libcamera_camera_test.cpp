@@ -159,6 +159,14 @@ TEST_F(LibcameraCamera, GivesOutTheMiddleOfTheExposureWhicheverEndTheStampMarks)
   }
 }
 
+TEST_F(LibcameraCamera, NeverDatesAFrameIntoTheFuture) {
+  ASSERT_EQ(camera->start(), Status::ok);
+  ASSERT_TRUE(device->complete(1, [](auto& b) { b.exposure_ns = 900'000'000; }));  // stamped now
+  ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
+  EXPECT_LE(frame.t_exposure, hal::MonotonicClock{}.now());
+  camera->release(frame);
+}
+
 TEST_F(LibcameraCamera, TheNewestFrameWinsAndTheOthersAreCountedAndGivenBack) {
   ASSERT_EQ(camera->start(), Status::ok);
   for (std::uint32_t k = 1; k <= 100; ++k) ASSERT_TRUE(device->complete(k));
