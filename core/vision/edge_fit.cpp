@@ -27,8 +27,8 @@ constexpr std::int64_t square(std::int64_t x) noexcept { return x * x; }
 
 // Bilinear, Q4; beyond the image its border goes on.
 std::int16_t sample_q4(const ImageView& image, Point p) noexcept {
-  const int u_q8 = std::clamp(p.u_q16 >> 8, 0, (image.width_px - 1) << 8);
-  const int v_q8 = std::clamp(p.v_q16 >> 8, 0, (image.height_px - 1) << 8);
+  const int u_q8 = std::clamp<int>(p.u_q16 >> 8, 0, (image.width_px - 1) << 8);
+  const int v_q8 = std::clamp<int>(p.v_q16 >> 8, 0, (image.height_px - 1) << 8);
   const int u = u_q8 >> 8, v = v_q8 >> 8, fu = u_q8 & 255, fv = v_q8 & 255;
   const std::uint8_t* above = image.row(v);
   const std::uint8_t* below = image.row(v + (fv != 0));
