@@ -4,13 +4,19 @@
 
 #include <filesystem>
 #include <memory>
+#include <thread>
 
+#include "hal/libcamera/libcamera_camera.hpp"
 #include "hal/memory/manual_clock.hpp"
 #include "hal/memory/memory_camera.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 #include "hal/replay/pgm_camera.hpp"
+#include "hal/supervision/supervised_camera.hpp"
+#include "hal/v4l2/v4l2_camera.hpp"
 #include "host_sim/ports/sim_camera.hpp"
 
+#include "tests/hal/libcamera/scripted_device.hpp"
+#include "tests/hal/v4l2/scripted_video_device.hpp"
 #include "tests/support/own_folder.hpp"
 
 namespace articam {
@@ -58,6 +64,31 @@ struct MemoryStage {
   static constexpr bool kEnds = false;
 };
 
+struct LibcameraStage {
+  std::unique_ptr<test::ScriptedDevice> owned = std::make_unique<test::ScriptedDevice>();
+  test::ScriptedDevice& device = *owned;
+  hal::LibcameraCamera camera{{.width_px = 16, .height_px = 8}, std::move(owned)};
+  void next(std::uint32_t i) { EXPECT_TRUE(device.complete(i + 1)); }  // frame 0 came at the start
+  static constexpr bool kEnds = false;
+};
+
+struct V4l2Stage {
+  std::unique_ptr<test::ScriptedVideoDevice> owned = std::make_unique<test::ScriptedVideoDevice>();
+  test::ScriptedVideoDevice& device = *owned;
+  hal::V4l2Camera camera{{.width_px = 16, .height_px = 8}, std::move(owned)};
+  void next(std::uint32_t i) {
+    std::this_thread::sleep_for(std::chrono::microseconds{2});  // the kernel's stamps count microseconds
+    EXPECT_TRUE(device.complete(i + 1));
+  }
+  static constexpr bool kEnds = false;
+};
+
+struct SupervisedStage : MemoryStage {
+  hal::ManualClock clock;
+  hal::SupervisedCamera<hal::MemoryCamera, hal::ManualClock> camera{
+      MemoryStage::camera, clock, {.period = std::chrono::milliseconds{33}}};
+};
+
 auto& camera_of(auto& stage) {
   if constexpr (requires { *stage.camera; })
     return *stage.camera;
@@ -67,7 +98,7 @@ auto& camera_of(auto& stage) {
 
 template <class Stage>
 class CameraContract : public testing::Test {};
-using Stages = testing::Types<SimStage, PgmStage, MemoryStage>;
+using Stages = testing::Types<SimStage, PgmStage, MemoryStage, LibcameraStage, V4l2Stage, SupervisedStage>;
 TYPED_TEST_SUITE(CameraContract, Stages);
 
 TYPED_TEST(CameraContract, LendsReadableFramesWithRisingNumbersAndStampsAndLeavesTheFrameAloneWithoutOne) {
@@ -100,6 +131,17 @@ TYPED_TEST(CameraContract, LendsReadableFramesWithRisingNumbersAndStampsAndLeave
   EXPECT_EQ(camera.acquire(untouched, 0ms), TypeParam::kEnds ? Status::end_of_stream : Status::timeout);
   EXPECT_EQ(untouched.sequence, 77u);
   EXPECT_EQ(untouched.pixels.data, nullptr);
+}
+
+TYPED_TEST(CameraContract, MayBeStoppedInAnyStateAndStartedAgain) {
+  TypeParam stage;
+  auto& camera = camera_of(stage);
+  camera.stop();
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_EQ(camera.start(), Status::ok);
+    camera.stop();
+    camera.stop();
+  }
 }
 
 template <class Clock>

@@ -2,6 +2,7 @@
 /// @file  A camera behind the seam of hal/libcamera that does what a test says.
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace articam::test {
 class ScriptedDevice final : public hal::CaptureDevice {
  public:
   std::vector<std::string> ids{"front", "back"};
+  std::atomic<bool> plugged_in{true};
   hal::Abilities abilities{{hal::fourcc("NV12")}, {}, {}, {}};
   std::function<void(hal::Stream&)> bend_stream = [](hal::Stream&) {};    ///< what differs from what was asked for
   std::function<void()> on_start = [this] { complete(first_sequence); };  ///< the first frame
@@ -26,7 +28,7 @@ class ScriptedDevice final : public hal::CaptureDevice {
   bool refuses_buffers{false};
   int closes{};
 
-  std::vector<std::string> cameras() override { return ids; }
+  std::vector<std::string> cameras() override { return plugged_in ? ids : std::vector<std::string>{}; }
   hal::Abilities open(const std::string& id) override { return opened = id, abilities; }
 
   hal::Stream configure(std::uint32_t format, int width_px, int height_px, int buffers) override {
@@ -72,7 +74,10 @@ class ScriptedDevice final : public hal::CaptureDevice {
     return true;
   }
 
-  void unplug() { events_->disconnected(); }
+  void unplug() {
+    plugged_in = false;
+    events_->disconnected();
+  }
 
   std::vector<std::vector<std::uint8_t>> memory;
   std::size_t bytes_used{};
