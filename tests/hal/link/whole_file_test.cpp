@@ -1,8 +1,6 @@
 #include "hal/link/whole_file.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -10,6 +8,7 @@
 #include <sstream>
 
 #include "tests/support/own_folder.hpp"
+#include "tests/support/small_files.hpp"
 
 namespace articam {
 namespace {
@@ -34,28 +33,6 @@ class WholeFile : public testing::Test {
 
   const fs::path folder_ = test::own_folder();
   const std::string path_ = (folder_ / "file").string();
-};
-
-/// No file of this process grows beyond that, for as long as this lives.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit small = before_;
-    small.rlim_cur = bytes;
-    ::setrlimit(RLIMIT_FSIZE, &small);
-    handler_ = ::signal(SIGXFSZ, SIG_IGN);  // write() then returns EFBIG
-  }
-  ~SmallFiles() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    ::signal(SIGXFSZ, handler_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  rlimit before_{};
-  sighandler_t handler_{};
 };
 
 TEST_F(WholeFile, ReplacesThePlainFileOnlyWhenItIsClosed) {
@@ -97,7 +74,7 @@ TEST_F(WholeFile, LeavesNothingBehindAWriteThatFailedAndKeepsItsReason) {
   hal::WholeFile file;
   ASSERT_EQ(file.open(path_), Status::ok);
   {
-    const SmallFiles limit{8};
+    const test::SmallFiles limit{8};
     EXPECT_EQ(file.write("more than eight bytes"), Status::io_error);
   }
   EXPECT_TRUE(fs::is_empty(folder_));
