@@ -48,8 +48,10 @@ class Judge {
   /// The verdict where nothing was measured, whatever the reason. Changes nothing.
   Verdict unmeasured(Reason reason, Timestamp t) const noexcept {
     if (following(t)) return {TrackingStatus::coasting, reason};
-    // q0 is a prediction, too: not found in the time that one is worth, the object is lost from the beginning.
-    const bool begins = !ever_measured_ && (!any_frame_ || seconds_between(t_begin_, t) <= options_.coast_time_s);
+    // q0 is a prediction, too: not found in the time that one is worth, the object is lost from the beginning. But the
+    // paper's law comes near it by a quarter each tenth of a second, and may take as long as it takes.
+    const bool in_time = !any_frame_ || seconds_between(t_begin_, t) <= options_.coast_time_s;
+    const bool begins = !ever_measured_ && (in_time || options_.mode == Mode::paper);
     return {begins ? TrackingStatus::initialising : TrackingStatus::lost, reason};
   }
 

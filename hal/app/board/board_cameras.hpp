@@ -3,12 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/camera_parameters.hpp"
 #include "hal/app/board/board_options.hpp"
+#include "hal/posix/monotonic_clock.hpp"
 #include "hal/replay/loop_camera.hpp"
 #include "hal/replay/pgm_camera.hpp"
+#include "hal/supervision/supervised_camera.hpp"
+#include "hal/v4l2/v4l2_camera.hpp"
 #ifdef ARTICAM_WITH_LIBCAMERA
 #include "hal/libcamera/libcamera_camera.hpp"
 #endif
@@ -26,12 +32,19 @@ inline std::chrono::microseconds frame_period(const BoardOptions& options) {
   return std::chrono::microseconds{static_cast<std::int64_t>(1e6 / options.rate_hz + 0.5)};
 }
 
+inline std::optional<std::chrono::microseconds> exposure_of(const BoardOptions& options) {
+  if (!options.exposure_us) return std::nullopt;
+  return std::chrono::microseconds{static_cast<std::int64_t>(*options.exposure_us)};
+}
+
 /// Starts a real camera and keeps it alive while `job` runs with it.
 template <class Camera, class Job>
 std::string with_real_camera(const BoardOptions& options, Camera& camera, Job&& job) {
-  if (const Status status = camera.start(); status != Status::ok) return why_no_camera(options, status, camera);
+  const hal::MonotonicClock clock;
+  hal::SupervisedCamera supervised{camera, clock, {.period = frame_period(options)}};
+  if (const Status status = supervised.start(); status != Status::ok) return why_no_camera(options, status, camera);
   fmt::print(stderr, "camera  {}\n", camera.description());
-  return job(camera);
+  return job(supervised);
 }
 
 /// Calls `job(camera)` with the camera of the options, started. Returns what went wrong, or nothing.
@@ -46,7 +59,13 @@ std::string with_camera(const BoardOptions& options, const CameraParameters& par
       return status == Status::ok ? job(camera) : why_no_camera(options, status, camera);
     }
     case BoardOptions::Source::v4l2: {
-      return "v4l2";
+      hal::V4l2Options chosen{.device = options.device, .width_px = width_px, .height_px = height_px};
+      chosen.period = frame_period(options);
+      chosen.exposure = exposure_of(options);
+      chosen.readout = std::chrono::microseconds{static_cast<std::int64_t>(1e6 * parameters.readout_time_s)};
+      if (options.gain) chosen.gain = static_cast<int>(*options.gain);
+      hal::V4l2Camera camera{chosen};
+      return with_real_camera(options, camera, job);
     }
     case BoardOptions::Source::libcamera:
       break;
@@ -54,7 +73,7 @@ std::string with_camera(const BoardOptions& options, const CameraParameters& par
 #ifdef ARTICAM_WITH_LIBCAMERA
   hal::LibcameraOptions chosen{.camera = options.device, .width_px = width_px, .height_px = height_px};
   chosen.period = frame_period(options);
-  if (options.exposure_us) chosen.exposure = std::chrono::microseconds{static_cast<std::int64_t>(*options.exposure_us)};
+  chosen.exposure = exposure_of(options);
   chosen.gain = options.gain;
   hal::LibcameraCamera camera{chosen};
   return with_real_camera(options, camera, job);

@@ -9,6 +9,7 @@
 
 #include "core/status.hpp"
 #include "hal/app/board/board_options.hpp"
+#include "hal/authentication/keyed_signer.hpp"
 #include "hal/link/address_transport.hpp"
 #include "hal/link/csv_row.hpp"
 #include "hal/link/packet_link.hpp"
@@ -37,7 +38,11 @@ class BoardLink<tracker::Estimate<Model, S>> {
       return "--link " + options.link + ": " + std::string(wrong);
     }
     if (carrier_.open(address) != Status::ok) return "--link " + options.link + ": cannot be opened";
-    packets_.emplace(carrier_, clock_, hal::ToMessage<Model>{camera, hal::draw_session(), options.rate_hz});
+    if (!options.key_file.empty()) {
+      if (auto problem = open_signer(options); !problem.empty()) return problem;
+    }
+    packets_.emplace(carrier_, clock_, hal::ToMessage<Model>{camera, hal::draw_session(), options.rate_hz},
+                     signer_ ? &*signer_ : nullptr);
     return {};
   }
 
@@ -52,6 +57,14 @@ class BoardLink<tracker::Estimate<Model, S>> {
   const Estimate& latest() const noexcept { return latest_; }
 
  private:
+  std::string open_signer(const BoardOptions& options) {
+    hal::Key key;
+    std::string problem;
+    if (key.load(options.key_file, problem) != Status::ok) return problem;
+    signer_.emplace(key, options.counter_file);
+    return signer_->open() == Status::ok ? std::string{} : signer_->problem();
+  }
+
   Status write_line() noexcept {
     line_.put("\n");
     const auto text = line_.text();
@@ -61,6 +74,7 @@ class BoardLink<tracker::Estimate<Model, S>> {
 
   const hal::MonotonicClock clock_{};
   hal::AddressTransport carrier_;
+  std::optional<hal::KeyedSigner> signer_;
   std::optional<hal::PacketLink<Estimate, hal::AddressTransport, hal::MonotonicClock>> packets_;
   bool to_terminal_{false};
   hal::CsvLine<Model> line_;

@@ -37,6 +37,9 @@ TEST(Judge, IsLostWhenAStartIsNotFoundInTheTimeThatAPredictionIsWorth) {
   EXPECT_EQ(judge.decide(nothing, at(7.51)).status, lost);
   EXPECT_EQ(judge.unmeasured(Reason::no_frame, at(7.6)).status, lost);
   EXPECT_EQ(judge.decide(kGood, at(9)).status, tracking);
+  Judge papers{{.mode = tracker::Mode::paper}};
+  (void)papers.decide(nothing, at(7.0));
+  EXPECT_EQ(papers.decide(nothing, at(9.0)).status, initialising);  // its law converges over seconds
 }
 
 TEST(Judge, CoastsForTheStatedTimeAndIsLostThen) {
