@@ -50,9 +50,13 @@ Status Detector::detect(const ImageView& image, std::span<const PixelBox> window
     search(image, box, out);
     overloaded_ |= exhausted_;
   }
-  std::sort(out.begin(), out.end(), [](const Detection& a, const Detection& b) {
+  const auto is_before = [](const Detection& a, const Detection& b) {
     return a.outer.v_q16 != b.outer.v_q16 ? a.outer.v_q16 < b.outer.v_q16 : a.outer.u_q16 < b.outer.u_q16;
-  });
+  };
+  // By insertion: std::sort calls itself, and the stack of a step must have a bound.
+  for (Detection* next = out.begin(); next != out.end(); ++next) {
+    std::rotate(std::upper_bound(out.begin(), next, *next, is_before), next, next + 1);
+  }
   return Status::ok;
 }
 

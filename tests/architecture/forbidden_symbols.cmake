@@ -9,7 +9,8 @@ set(allowed
   sqrt sqrtf                          # correctly rounded by IEEE 754, unlike the rest of libm
   _GLOBAL_OFFSET_TABLE_)
 set(allowed_patterns
-  "^__aeabi_"                         # arithmetic that the processor lacks (ARM)
+  "^__aeabi_u?[dfil](2|add|sub|rsub|mul|div|cmp|ls|as)[a-z0-9]*$"  # arithmetic that the processor lacks (ARM)
+  "^__aeabi_mem(cpy|move|set|clr)[48]?$"
   "^__[a-z]+[sdt][if][23]$")          # the same by libgcc's other names, such as __divdi3
 
 function(symbols_of archive out)
