@@ -1,5 +1,5 @@
 # A Linux board with another processor: Debian's cross compiler, the board's libraries in a folder of their own
-# (tools/cross_sysroot.sh makes it), tests run by qemu's user emulation. Included by the toolchain file of one board, after
+# (tools/cross_sysroot.sh makes it), tests run by qemu's user emulation. Included by a board's toolchain file, after
 #   ARTICAM_TRIPLET   the compiler's prefix, which is also Debian's name of the library folders
 #   ARTICAM_EMULATOR  the program that runs the board's programs here
 #   ARTICAM_SYSROOT   the folder of libraries
@@ -23,4 +23,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_PATH} "")
 set(ENV{PKG_CONFIG_SYSROOT_DIR} ${ARTICAM_SYSROOT})
-set(ENV{PKG_CONFIG_LIBDIR} ${ARTICAM_SYSROOT}/usr/lib/${ARTICAM_TRIPLET}/pkgconfig:${ARTICAM_SYSROOT}/usr/share/pkgconfig)
+set(ENV{PKG_CONFIG_LIBDIR}
+    ${ARTICAM_SYSROOT}/usr/lib/${ARTICAM_TRIPLET}/pkgconfig:${ARTICAM_SYSROOT}/usr/share/pkgconfig)

@@ -16,7 +16,7 @@ frame must become one output with status lost or initialising, with rising seque
 
 FILE is another program of the same options. Its camera file must be of a size that libcamera offers for vimc: width
 and height are multiples of 6, hence not 640 x 480; the default is built for 384 x 288. Its shared libraries come from
-build/sysroot-aarch64. Needs a network the first time (about 290 MB of packages); what it makes is kept in build/vm,
+build/sysroot-aarch64. The first time it fetches about 300 MB of packages; what it makes of them is kept in build/vm,
 the console in build/vm/log.txt.
 
 Exit codes: 0 passed, 1 failed, 2 wrong usage.
@@ -54,9 +54,9 @@ tools/quietly.sh "File system of the board" tools/vm/make_initramfs.sh \
   "$vm/kernel" build/sysroot-aarch64 "$vm/initramfs.gz" "$program" \
   --camera libcamera --rate 5 --frames "$frames" --link stdout
 
-# A board that hangs must not hang the test; a slow machine emulates some 3 frames a second.
-echo "Emulating the board, for at most $((60 + frames / 3)) s"
-timeout $((60 + frames / 3)) qemu-system-aarch64 -machine virt -cpu cortex-a72 -smp 2 -m 512 -nodefaults -no-reboot \
+# A board that hangs must not hang the test; the slowest machine emulates a frame a second.
+echo "Emulating the board, for at most $((120 + frames)) s"
+timeout $((120 + frames)) qemu-system-aarch64 -machine virt -cpu cortex-a72 -smp 2 -m 512 -nodefaults -no-reboot \
   -display none -serial stdio -kernel "$vm/kernel/vmlinuz" -initrd "$vm/initramfs.gz" \
   -append "console=ttyAMA0 quiet panic=-1" >"$vm/log.txt" 2>&1 </dev/null || true  # the console tells
 if ! awk -v wanted="$frames" -f tools/vm/check_log.awk "$vm/log.txt"; then

@@ -43,7 +43,7 @@ END {
   if (frame > first_frame) {
     period_s = (t_s - first_s) / (frame - first_frame)
     if (period_s < kFastest_s || period_s > kSlowest_s) wrong("a frame every " period_s " s is not to be believed")
-    printf "%d frames through libcamera, one output each; period %.1f ms (%.1f to %.1f), %d overtaken, %d silent ticks\n",
+    printf "%d frames through libcamera, one output each; period %.1f ms (%.1f to %.1f), %d overtaken, %d silent\n",
       num_frames, 1e3 * period_s, 1e3 * shortest_s, 1e3 * longest_s, num_missed, num_silent
     printf "the board's program started %.1f s after the kernel and ran for %.1f s\n", t_start, t_end - t_start
   }

@@ -28,7 +28,7 @@ while [ ${#pending[@]} -gt 0 ]; do
   mapfile -t needed < <(readelf -d "${pending[@]}" 2>/dev/null | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u)
   pending=()
   for name in "${needed[@]}"; do
-    [ ! -e "$libraries/$name" ] && [ ! -e "$root/lib/$name" ] || continue
+    if [ -e "$libraries/$name" ] || [ -e "$root/lib/$name" ]; then continue; fi
     if [ ! -e "$sysroot/usr/lib/$triplet/$name" ]; then
       echo "$(basename "$program") needs $name, which is not in $sysroot" >&2
       exit 1

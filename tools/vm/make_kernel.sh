@@ -5,7 +5,8 @@
 #   vmlinuz    the kernel
 #   modules/   vimc and the modules that it needs, named in the order in which to load them
 #   root/      busybox, and the parts of libcamera that it looks for while it runs
-# Nothing is installed. Quick when FOLDER is there; to have a newer kernel, delete it.
+# Nothing is installed. Needs 1 GB beside FOLDER while it works. Quick when FOLDER is there; to have a newer kernel,
+# delete it.
 set -euo pipefail
 [ $# -eq 1 ] || { sed -n '2,/^set/s/^# //p' "$0" >&2; exit 2; }
 folder=$(realpath -m "$1")
@@ -23,7 +24,7 @@ here() { "$tools/foreign_apt.sh" "$(dpkg --print-architecture)" "$part/apt-here"
 board apt-get update || true  # one list that is missing may not matter: the packages decide
 here apt-get update || true
 version=$(board apt-cache depends linux-image-arm64 | sed -n 's/^ *Depends: linux-image-//p')
-[ -n "$version" ] || { echo "The package sources of this machine have no linux-image-arm64" >&2; exit 1; }
+[ -n "$version" ] || { echo "The package sources of this machine give no linux-image-arm64" >&2; exit 1; }
 series=${version%.0-*}
 
 cd "$part/packages"
