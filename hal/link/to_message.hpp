@@ -22,8 +22,12 @@ inline void put_pose(wire::PoseNumbers& out, const Pose<double>& T) noexcept {
   for (const double x : {T.t.x(), T.t.y(), T.t.z(), T.R.w(), T.R.x(), T.R.y(), T.R.z()}) put(out, x);
 }
 
+/// As much as there is room for, cut between two characters: protobuf refuses half of one.
 inline void put_text(wire::Text& out, std::string_view text) noexcept {
-  for (const char c : text.substr(0, wire::kMaxName)) put(out, c);
+  std::size_t size = std::min(text.size(), wire::kMaxName);
+  const auto continues = [&] { return size < text.size() && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80; };
+  while (size > 0 && continues()) --size;
+  for (const char c : text.substr(0, size)) put(out, c);
 }
 
 }  // namespace detail
@@ -65,7 +69,7 @@ class ToMessage {
     return m;
   }
 
-  /// Names longer than 63 bytes are cut.
+  /// Names longer than 63 bytes are cut short.
   wire::ModelMessage model() const noexcept {
     wire::ModelMessage m;
     m.session = session_, m.model_hash = kHash;

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <limits>
+#include <string>
 
 #include "hal/link/session.hpp"
 #include "hal/memory/manual_clock.hpp"
@@ -188,6 +189,17 @@ TEST(PacketLink, APacketOfThePrinterDrawerFitsIntoOneEthernetFrame) {
   constexpr std::size_t kEthernet = 1500 - 20 - 8;  // less the headers of IP and UDP
   EXPECT_LE(ear.size + wire::kTrailerSize, kEthernet);
   RecordProperty("packet_bytes", static_cast<int>(ear.size));
+}
+
+TEST(ToMessage, CutsALongNameBetweenTwoCharacters) {
+  for (std::size_t before = 58; before < 64; ++before) {
+    wire::Text text;
+    hal::detail::put_text(text, std::string(before, 'a') + "\u00e9\u20ac\u00e9");
+    const std::string_view cut = wire::view(text);
+    EXPECT_LE(cut.size(), wire::kMaxName);
+    const std::size_t rest = cut.size() - before;
+    EXPECT_TRUE(rest == 0 || rest == 2 || rest == 5) << "2, 3 and 2 bytes a character";
+  }
 }
 
 TEST(Session, IsAnotherOneAtEachStart) {
