@@ -28,7 +28,6 @@ namespace articam::app {
 struct ReplayOptions {
   CameraParameters camera{};
   std::vector<std::filesystem::path> files;
-  int repeat{1};  ///< the files so many times, as one recording
   double rate_hz{30};
   std::string q0;  ///< empty: the model's own
   tracker::Mode mode{tracker::Mode::standard};
@@ -92,7 +91,7 @@ class Replay {
     }
     if (const auto problem = create_folder(options_.overlay_folder); !problem.empty()) return problem;
     if (file_.open(options_.output) != Status::ok) return file_.problem();
-    const std::size_t num_frames = files_.size();
+    const std::size_t num_frames = options_.files.size();
     for (std::size_t frame = 0; frame < num_frames; ++frame) {
       if (const auto problem = play(frame); !problem.empty()) return problem;
       if (options_.show_progress) show_progress(frame + 1, num_frames);
@@ -119,7 +118,7 @@ class Replay {
     if (tick == hal::Tick::failed) return camera_.problem();
     const Estimate& estimate = link_.latest();
     if (estimate.reason == tracker::Reason::image_mismatch) {
-      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", files_[frame].string(),
+      return fmt::format("{}: is {} x {} pixels, but the camera file says {} x {}", options_.files[frame].string(),
                          camera_.image().width_px, camera_.image().height_px, options_.camera.width_px,
                          options_.camera.height_px);
     }
@@ -136,16 +135,9 @@ class Replay {
     return why;
   }
 
-  static std::vector<std::filesystem::path> repeated(const ReplayOptions& options) {
-    std::vector<std::filesystem::path> files;
-    for (int i = 0; i < options.repeat; ++i) files.insert(files.end(), options.files.begin(), options.files.end());
-    return files;
-  }
-
   const ReplayOptions& options_;
-  const std::vector<std::filesystem::path> files_ = repeated(options_);
   Tracker tracker_{options_.camera, tracker_options(options_)};
-  hal::PgmCamera camera_{files_, options_.rate_hz};
+  hal::PgmCamera camera_{options_.files, options_.rate_hz};
   hal::ManualClock clock_;
   const hal::MonotonicClock stopwatch_{};
   Timed timed_{tracker_, stopwatch_};

@@ -29,13 +29,16 @@ pattern. q0 is where the search begins: base pose in the camera frame (x right, 
 w x y z, then the joints in the order that articam-probe MODEL prints.
 Exit codes: 0 done, 1 an input is refused or the job failed, 2 wrong usage.)";
 
-std::vector<std::filesystem::path> all_frames(const std::vector<std::string>& sources) {
+std::vector<std::filesystem::path> all_frames(const std::vector<std::string>& sources, int repeat) {
   std::vector<std::filesystem::path> files;
   for (const auto& source : sources) {
     const auto found = articam::hal::find_frames(source);
     files.insert(files.end(), found.begin(), found.end());
   }
   std::sort(files.begin(), files.end());
+  const std::size_t once = files.size();
+  files.reserve(once * static_cast<std::size_t>(repeat));
+  for (int i = 1; i < repeat; ++i) files.insert(files.end(), files.begin(), files.begin() + static_cast<long>(once));
   return files;
 }
 
@@ -65,6 +68,7 @@ int main(int argc, char** argv) {
   std::string model, camera_file;
   std::vector<std::string> sources;
   std::size_t max_frames = 0;
+  int repeat = 1;
   bool list = false;
   app.footer(kExample);
   app.set_version_flag("--version", "articam-replay " ARTICAM_VERSION);
@@ -72,7 +76,7 @@ int main(int argc, char** argv) {
   app.add_flag("--list", list, "name the models and stop");
   auto* camera_option = app.add_option("--camera", camera_file, "ROS calibration YAML of the camera");
   auto* frames_option = app.add_option("--frames", sources, "folder, pattern or files of PGM frames");
-  app.add_option("--repeat", options.repeat, "play the frames so many times, as one recording")
+  app.add_option("--repeat", repeat, "play the frames so many times, as one recording")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
   auto* recording_option = app.add_option("--recording", recording.recording,
@@ -115,7 +119,7 @@ int main(int argc, char** argv) {
   fmt::print(stderr, "{}", diagnostics.text());
   if (!camera) return 1;
   options.camera = *camera;
-  options.files = all_frames(sources);
+  options.files = all_frames(sources, repeat);
   if (options.files.empty()) return fail(fmt::format("no PGM frame found in {}", fmt::join(sources, " ")));
   if (max_frames > 0 && options.files.size() > max_frames) options.files.resize(max_frames);
   options.show_progress = ::isatty(STDERR_FILENO) != 0;

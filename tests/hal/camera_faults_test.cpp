@@ -8,25 +8,16 @@
 #include "hal/run_loop.hpp"
 #include "hal/supervision/supervised_camera.hpp"
 #include "tests/hal/libcamera/scripted_device.hpp"
+#include "tests/support/fake_tracker.hpp"
 
 namespace articam {
 namespace {
 
 using namespace std::chrono_literals;
 using hal::Tick;
+using test::FakeEstimate;
+using test::FakeTracker;
 using Health = hal::CompletedBuffer::Health;
-
-struct FakeEstimate {
-  std::uint32_t frame{};
-  Timestamp t_capture{};
-};
-
-struct FakeTracker {
-  using EstimateType = FakeEstimate;
-  int steps{};
-  FakeEstimate step(const ImageView&, Timestamp t) noexcept { return ++steps, FakeEstimate{0, t}; }
-  FakeEstimate coast(Timestamp t) noexcept { return {0, t}; }
-};
 
 constexpr hal::SupervisionOptions kHasty{.period = 2ms, .first_pause = 1ms, .longest_pause = 2ms};
 
@@ -41,7 +32,7 @@ class CameraFault : public testing::Test {
     camera = std::make_unique<hal::LibcameraCamera>(
         hal::LibcameraOptions{.width_px = 16, .height_px = 8, .first_frame_wait = 100ms}, std::move(owned));
     supervised = std::make_unique<Supervised>(*camera, clock, kHasty);
-    loop = std::make_unique<Loop>(*supervised, clock, link, tracker, 1ms);
+    loop = std::make_unique<Loop>(*supervised, clock, link, tracker, hal::LoopTimes{.period = 2ms});
     EXPECT_EQ(loop->start(), Status::ok);
   }
 

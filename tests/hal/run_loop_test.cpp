@@ -7,32 +7,17 @@
 #include "hal/memory/latest_link.hpp"
 #include "hal/memory/manual_clock.hpp"
 #include "hal/memory/memory_camera.hpp"
+#include "tests/support/fake_tracker.hpp"
 
 namespace articam {
 namespace {
 
 using hal::Tick;
 
+using test::FakeEstimate;
+using test::FakeTracker;
 using tracker::Reason;
 using tracker::TrackingStatus;
-
-struct FakeEstimate {
-  std::uint32_t frame{};
-  Timestamp t_capture{};
-  TrackingStatus status{};
-  Reason reason{};
-  bool valid{};
-};
-
-/// Counts what the loop asks of a tracker.
-struct FakeTracker {
-  using EstimateType = FakeEstimate;
-  int steps{}, coasts{};
-  FakeEstimate step(const ImageView&, Timestamp t) noexcept { return ++steps, FakeEstimate{0, t, TrackingStatus::tracking, Reason::none, true}; }
-  FakeEstimate coast(Timestamp t) noexcept {
-    return ++coasts, FakeEstimate{0, t, TrackingStatus::coasting, Reason::no_frame, true};
-  }
-};
 
 struct UnpluggedCamera {
   Status start() noexcept { return Status::no_device; }
