@@ -134,10 +134,10 @@ TEST_F(V4l2Camera, FixesExposureGainAndPeriodWhereTheDeviceCan) {
 }
 
 TEST_F(V4l2Camera, GivesOutTheMiddleOfTheExposureWhicheverEndTheStampMarks) {
-  for (const std::uint32_t marks : {V4L2_BUF_FLAG_TSTAMP_SRC_SOE, V4L2_BUF_FLAG_TSTAMP_SRC_EOF}) {
+  for (const auto marks : {V4L2_BUF_FLAG_TSTAMP_SRC_SOE, V4L2_BUF_FLAG_TSTAMP_SRC_EOF}) {
     make({.exposure = 4000us, .readout = 10000us});
     device->settings[V4L2_CID_EXPOSURE_ABSOLUTE] = {1, 5000, 0};
-    device->stamp_flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | marks;
+    device->stamp_flags = std::uint32_t(V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | marks);
     const std::int64_t stamp_ns = (hal::MonotonicClock{}.now().ns / 1000 - 20'000) * 1000;  // V4L2 counts us
     const auto stamp = [&](v4l2_buffer& b) { device->set_stamp(b, stamp_ns); };
     device->on_stream = [&] { device->complete(0, stamp); };
@@ -184,7 +184,7 @@ TEST_F(V4l2Camera, RefusesAStampThatJumpsWhileItRunsAndGoesOnWithTheNext) {
   ASSERT_EQ(camera->start(), Status::ok);
   expect_refused([](v4l2_buffer& b) { b.timestamp.tv_sec -= 3600; });
   expect_refused([](v4l2_buffer& b) { b.timestamp.tv_sec += 3600; });
-  expect_refused([](v4l2_buffer& b) { b.flags &= ~V4L2_BUF_FLAG_TIMESTAMP_MASK; });
+  expect_refused([](v4l2_buffer& b) { b.flags &= ~std::uint32_t{V4L2_BUF_FLAG_TIMESTAMP_MASK}; });
   EXPECT_EQ(camera->counts().wrong_stamp, 3u);
   ASSERT_TRUE(device->complete(2));
   EXPECT_EQ(camera->acquire(frame, 0ms), Status::ok);
