@@ -55,6 +55,11 @@ Status LibcameraCamera::start() noexcept {
 
 void LibcameraCamera::open_and_start() {
   start_problem_.clear();
+  if (options_.width_px < 1 || options_.width_px > kMaxImageWidth_px || options_.height_px < 1 ||
+      options_.height_px > kMaxImageHeight_px) {
+    throw StartProblem{Status::bad_argument, "an image of " + size_text(options_.width_px, options_.height_px) +
+                                                 " pixels is beyond what this program is built for"};
+  }
   const std::string id = choose_camera(device_->cameras(), options_.camera);
   const Abilities abilities = device_->open(id);
   const Controls controls = choose_controls(abilities, options_);
@@ -76,10 +81,6 @@ void LibcameraCamera::open_and_start() {
 void LibcameraCamera::check_stream() const {
   const auto refuse = [](const std::string& reason) { throw StartProblem{Status::bad_argument, reason}; };
   const std::string wanted = size_text(options_.width_px, options_.height_px);
-  if (options_.width_px < 1 || options_.width_px > kMaxImageWidth_px || options_.height_px < 1 ||
-      options_.height_px > kMaxImageHeight_px) {
-    refuse("an image of " + wanted + " pixels is beyond what this program is built for");
-  }
   if (stream_.width_px != options_.width_px || stream_.height_px != options_.height_px) {
     refuse("the camera gives " + size_text(stream_.width_px, stream_.height_px) + " pixels, the camera file says " +
            wanted);

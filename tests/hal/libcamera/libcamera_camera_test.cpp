@@ -18,7 +18,7 @@ constexpr int kWidth_px = 16, kHeight_px = 8;
 class LibcameraCamera : public testing::Test {
  protected:
   void make(hal::LibcameraOptions options = {}) {
-    options.width_px = kWidth_px;
+    if (options.width_px == 0) options.width_px = kWidth_px;
     options.height_px = kHeight_px;
     options.first_frame_wait = 20ms;
     auto owned = std::make_unique<test::ScriptedDevice>();
@@ -102,6 +102,15 @@ TEST_F(LibcameraCamera, RefusesAStreamOfAnotherSizeFormatOrStrideBeforeItRuns) {
   EXPECT_TRUE(says("too short for the image"));
   EXPECT_EQ(start_with([](hal::Stream& s) { s.buffers.resize(1); }), Status::bad_argument);
   EXPECT_TRUE(says("two buffers"));
+}
+
+TEST_F(LibcameraCamera, RefusesAnImageBeyondWhatTheProgramIsBuiltForBeforeItLooksForACamera) {
+  for (const int width_px : {-1, kMaxImageWidth_px + 1}) {
+    make({.width_px = width_px});
+    EXPECT_EQ(camera->start(), Status::bad_argument);
+    EXPECT_TRUE(says("beyond")) << camera->problem();
+    EXPECT_TRUE(device->opened.empty());
+  }
 }
 
 TEST_F(LibcameraCamera, PassesOnWhatTheOptionsFixAndSaysWhereThePeriodIsNotKept) {
