@@ -11,6 +11,8 @@ wanted=(
   libeigen3-dev
   # host programs
   libcairo2-dev libcli11-dev libfmt-dev libmd-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
+  # the link to a controller, and its authentication
+  nanopb libnanopb-dev libsodium-dev
   # the figures of the report, and real frames
   gnuplot-nox visp-images-data
   "$@"

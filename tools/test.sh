@@ -17,7 +17,7 @@ END
   case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
 fi
 
-tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev
+tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev libprotobuf-dev protobuf-compiler
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
 CXX=clang++ tools/quietly.sh "Building with Clang" tools/build_preset.sh host-release --tests ON \
   --into build/host-release-clang

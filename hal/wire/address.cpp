@@ -8,7 +8,7 @@ namespace {
 
 /// Takes the text up to the first `end`, and `end` itself; all of it when there is none.
 std::string_view take_until(std::string_view& text, char end) noexcept {
-  const std::string_view part = text.substr(0, text.find(end));
+  const std::string_view part{text.begin(), std::ranges::find(text, end)};
   text.remove_prefix(std::min(part.size() + 1, text.size()));
   return part;
 }
@@ -55,7 +55,7 @@ std::string_view read_option(std::string_view option, Address& out) noexcept {
 }
 
 std::string_view read_udp(std::string_view text, Address& out) noexcept {
-  const bool has_port = text.find(':') != std::string_view::npos;
+  const bool has_port = std::ranges::count(text, ':') != 0;
   if (!read_host(take_until(text, ':'), out.host)) return "the host is an IPv4 address in numbers, such as 10.0.0.2";
   if (out.host[0] == 0 || out.host[0] > 239) {
     return "0.x.x.x and 240.0.0.0 to 255.255.255.255 name no host: use the address of one, or a group such as "
