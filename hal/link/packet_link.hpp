@@ -11,6 +11,7 @@
 #include "hal/link/to_message.hpp"
 #include "hal/ports/clock_port.hpp"
 #include "hal/ports/link_port.hpp"
+#include "hal/wire/message_reader.hpp"
 #include "hal/wire/packet.hpp"
 
 namespace articam::hal {
@@ -36,6 +37,8 @@ class PacketLink<tracker::Estimate<Model, S>, Carrier, Clock> {
       : carrier_{carrier}, clock_{clock}, to_message_{to_message}, signer_{signer} {}
 
   /// Allocates nothing and never waits.
+  /// Errors  io_error: it did not go out; bad_argument: it is not consistent, such as a number that is not finite, and
+  /// no receiver would take it.
   Status publish(const tracker::Estimate<Model, S>& estimate) noexcept {
     const Timestamp now = clock_.now();
     if (sent_ == 0 || seconds_between(t_model_, now) >= 1) {
@@ -45,7 +48,7 @@ class PacketLink<tracker::Estimate<Model, S>, Carrier, Clock> {
     wire::EstimateMessage message = to_message_.estimate(estimate);
     message.number = sent_++;
     message.t_send = clock_.now();
-    return send(message);
+    return wire::check(message) == wire::Fault::none ? send(message) : Status::bad_argument;
   }
 
  private:

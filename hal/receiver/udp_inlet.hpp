@@ -30,8 +30,8 @@ class UdpInlet {
   /// Errors  timeout; io_error.
   Status wait(int milliseconds) const noexcept;
 
-  /// Hands up to kMostAtOnce packets to the intake and calls `taken(what)` after each that counts; never waits. The
-  /// number of packets read.
+  /// Hands up to kMostAtOnce packets to the intake and calls `taken(what, t_receipt)` after each that counts; never
+  /// waits. The number of packets read.
   template <class Taken>
   int read(Intake& intake, Taken taken) noexcept {
     int count = 0;

@@ -40,6 +40,15 @@ TEST(MessageEncoder, WritesTheLargestMessagesIntoOnePacket) {
   EXPECT_LE(by_nanopb(m).size(), wire::kMaxPayloadSize);
 }
 
+TEST(MessageEncoder, AMessageOfNineJointsFitsIntoOneEthernetFrameWithItsTag) {
+  test::Random random{13};
+  auto m = test::random_estimate(random, 9);
+  m.number = m.frame = m.matched = ~std::uint32_t{0};  // as long as varints get
+  test::fill_pose(m.t_base_obj, random);
+  constexpr std::size_t kEthernet = 1500 - 20 - 8;  // less the headers of IP and UDP
+  EXPECT_LE(wire::kHeaderSize + by_nanopb(m).size() + wire::kTrailerSize + wire::kChecksumSize, kEthernet);
+}
+
 TEST(MessageEncoder, RefusesABufferThatIsTooSmall) {
   test::Random random{12};
   const auto m = test::random_estimate(random);

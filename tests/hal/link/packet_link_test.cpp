@@ -165,6 +165,18 @@ TEST(PacketLink, SaysSoWhenAnEstimateDoesNotGoOutAndItsNumberIsMissingThen) {
   EXPECT_EQ(ear.estimate.number, 2u);
 }
 
+TEST(PacketLink, NeverSendsANumberThatIsNotFinite) {
+  Ear ear;
+  hal::ManualClock clock;
+  clock.set({2'000'000'000});
+  Link<double> link{ear, clock, {CameraParameters{}, 5, 30}};
+  test::Random random{25};
+  auto e = random_estimate<double>(random);
+  e.covariance(3, 5) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(link.publish(e), Status::bad_argument);
+  EXPECT_EQ(ear.estimates, 0);
+}
+
 TEST(PacketLink, PublishingDoesNotTouchTheHeap) {
   if (!test::HeapTrap::works()) GTEST_SKIP() << "the heap cannot be replaced here (sanitizers bring their own)";
   test::Random random{23};

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "hal/link/address_transport.hpp"
 #include "hal/link/packet_link.hpp"
 #include "tests/support/heap_trap.hpp"
 #include "tests/support/udp_ear.hpp"
@@ -135,6 +136,18 @@ TEST(UdpTransport, RefusesASerialAddressAndAnInterfaceThatIsNotOurs) {
   EXPECT_EQ(transport.open(address("serial:///dev/null")), Status::bad_argument);
   EXPECT_EQ(transport.open(address("udp://239.1.1.1?via=192.0.2.1")), Status::bad_argument);
   EXPECT_EQ(transport.send(Bytes{1}), Status::io_error);
+}
+
+TEST(AddressTransport, IsTheTransportThatTheAddressNames) {
+  static_assert(hal::Transport<hal::AddressTransport>);
+  const test::UdpEar ear;
+  hal::AddressTransport transport;
+  ASSERT_EQ(transport.open(local(ear.port())), Status::ok);
+  ASSERT_EQ(transport.send(Bytes{5}), Status::ok);
+  EXPECT_EQ(ear.hear(), Bytes{5});
+  EXPECT_EQ(transport.open(address("serial:///dev/no_such_line")), Status::no_device);
+  EXPECT_EQ(transport.send(Bytes{5}), Status::io_error);
+  EXPECT_EQ(transport.dropped(), 1u);
 }
 
 TEST(UdpTransport, SendingDoesNotTouchTheHeap) {
