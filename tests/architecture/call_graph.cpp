@@ -60,13 +60,14 @@ bool CallGraph::read(const std::string& text) {
       const auto parts = split_label(*label);
       Function& function = functions_[*name];
       if (function.readable.empty()) function.readable = parts.front();
-      for (const std::string& part : parts) {  // `40 bytes (static)`, or `(dynamic)`, or `(dynamic,bounded)`
+      for (const std::string& part :
+           parts) {  // `40 bytes (static)`; `(dynamic,bounded)` is a maximum too, `(dynamic)` is not
         const std::size_t unit = part.find(" bytes (");
         if (unit == std::string::npos) continue;
         long bytes = 0;
         if (std::from_chars(part.data(), part.data() + unit, bytes).ec != std::errc{}) return false;
         function.frame_bytes = std::max(function.frame_bytes, bytes);
-        function.dynamic |= part.substr(unit) != " bytes (static)";
+        function.dynamic |= part.substr(unit) == " bytes (dynamic)";
         files_of_.emplace(without_file(*name), *name);
       }
     }

@@ -65,10 +65,9 @@ TEST(CallGraph, APlantedRecursionIsFoundThroughAnyNumberOfFunctions) {
 }
 
 TEST(CallGraph, APlantedFrameOfUnknownSizeIsFound) {
-  for (const char* frame : {"16 bytes (dynamic)", "16 bytes (dynamic,bounded)"}) {
-    EXPECT_EQ(worst_of_root(node("root", frame)).violations,
-              std::vector<std::string>{"frame of a size that only run time knows: int root()"});
-  }
+  EXPECT_EQ(worst_of_root(node("root", "16 bytes (dynamic)")).violations,
+            std::vector<std::string>{"frame of a size that only run time knows: int root()"});
+  EXPECT_TRUE(worst_of_root(node("root", "16 bytes (dynamic,bounded)")).violations.empty()) << "a maximum is known";
 }
 
 TEST(CallGraph, APlantedCallThroughAPointerIsFound) {

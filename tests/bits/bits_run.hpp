@@ -4,16 +4,10 @@
 #include <array>
 #include <cstdint>
 
-#include "core/tracker/tracker.hpp"
 #include "hal/baremetal/line.hpp"
-#include "static_models/printer_drawer/printer_drawer.hpp"
+#include "hal/firmware.hpp"
 #include "tests/bits/scene.hpp"
 #include "tests/bits/state_hash.hpp"
-
-namespace articam {
-extern template class tracker::Tracker<models::PrinterDrawer, float>;  // from libarticam_firmware.a
-extern template class tracker::Tracker<models::PrinterDrawer, double>;
-}  // namespace articam
 
 namespace articam::test {
 
