@@ -121,7 +121,7 @@ TEST_F(Board, RefusesALinkAStartAndAKeyThatCannotBe) {
 TEST_F(Board, StopsCleanlyWhenItIsAskedTo) {
   // Asked once it has written a row; a recording that was not closed would be longer than its ticks.
   const Ended board = articam::test::run(
-      "cd " + folder_.string() + " && touch board.csv && " ARTICAM_BIN "/articam-board --priority 0 " +
+      "cd " + folder_.string() + "; touch board.csv; " ARTICAM_BIN "/articam-board --priority 0 " +
       replayed("--rate 60 --link stdout --record run.rec 2>log >board.csv & board=$!; "
                "while [ $(wc -l <board.csv) -lt 5 ]; do sleep 0.05; done; kill -TERM $board; wait $board"));
   EXPECT_EQ(board.exit_code, 0) << board.text;
