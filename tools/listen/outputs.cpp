@@ -1,0 +1,28 @@
+#include "tools/listen/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace articam::listen {
+namespace {
+
+bool complain(const std::string& problem) {
+  if (!problem.empty()) fmt::print(stderr, "articam-listen: {}\n", problem);
+  return !problem.empty();
+}
+
+}  // namespace
+
+void Outputs::take(const Heard& heard) {
+  ++taken_;
+  const auto fails = [&](const std::unique_ptr<Output>& output) { return complain(output->take(heard)); };
+  if (std::erase_if(outputs_, fails) > 0) failed_ = true;
+}
+
+void Outputs::finish() {
+  for (const auto& output : outputs_) failed_ = complain(output->finish()) || failed_;
+  outputs_.clear();
+}
+
+}  // namespace articam::listen
