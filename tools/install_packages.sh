@@ -13,6 +13,8 @@ wanted=(
   libcairo2-dev libcli11-dev libfmt-dev libmd-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
   # the link to a controller, and its authentication
   nanopb libnanopb-dev libsodium-dev
+  # articam-listen: the link's messages, and ROS 2's
+  libfastcdr-dev libprotobuf-dev protobuf-compiler
   # the figures of the report, and real frames
   gnuplot-nox visp-images-data
   "$@"

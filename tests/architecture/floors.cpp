@@ -42,7 +42,7 @@ const std::vector<Room> kHouse{
                                          "hal/run_loop.hpp", "."}},
     {"host_sim/main.cpp",    any,       {"core/", "static_models/", "hal/", "tools/", "host_sim/"}},
     {"host_sim/",            any,       {"core/", "static_models/", "hal/ports/", "hal/run_loop.hpp", "host_sim/"}},
-    {"tools/listen/",        any,       {"core/*", "core/math/", "core/tracker/tracking_status.hpp", "hal/wire/", "tools/"}},
+    {"tools/listen/",        any,       {"core/*", "core/math/", "hal/wire/", "hal/authentication/", "tools/"}},
     {"tools/probe/main.cpp", any,       {"core/*", "core/math/", "core/model/", "static_models/", "tools/"}},
     {"tools/",               any,       {"core/*", "core/math/", "core/model/", "tools/"}},
     // clang-format on

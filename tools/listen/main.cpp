@@ -5,11 +5,13 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "tools/listen/board_key.hpp"
 #include "tools/listen/csv_output.hpp"
 #include "tools/listen/json_output.hpp"
 #include "tools/listen/line_output.hpp"
@@ -39,7 +41,7 @@ last estimate, even if the program is killed.
 Exit codes: 0 done, 1 nothing (or fewer than --count) was heard or an output failed, 2 wrong usage.)";
 
 struct Arguments {
-  std::string udp, serial, csv, mcap, json_udp;
+  std::string udp, serial, key, key_state, csv, mcap, json_udp;
   bool csv_from_first{}, overwrite{}, quiet{}, stats{}, once{};
   std::uint64_t count{};
   double seconds{}, timeout_s{};
@@ -57,6 +59,11 @@ void declare(CLI::App& app, Arguments& arguments) {
   auto* udp = app.add_option("--udp", arguments.udp, "listen there (default: port 47047, every interface)");
   udp->type_name("[GROUP:]PORT");
   app.add_option("--serial", arguments.serial, "listen on a serial line")->type_name("DEVICE")->excludes(udp);
+  auto* key = app.add_option("--key", arguments.key, "take only packets that the holder of this key has made");
+  key->type_name("FILE");
+  app.add_option("--key-state", arguments.key_state, "remember there, over restarts, which packets have come")
+      ->type_name("FILE")
+      ->needs(key);
   app.add_option("--csv", arguments.csv, "record rows as articam-replay writes them")->type_name("FILE");
   app.add_option("--t0", arguments.csv_from_first, "t_s of the CSV: on the board's clock, or since the first estimate")
       ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"board", false}, {"first", true}}))
@@ -113,6 +120,9 @@ std::string open_outputs(const Arguments& arguments, const Addresses& addresses,
   return {};
 }
 
+/// False when standard output takes no more. fmt::print would throw.
+bool print(const std::string& text) { return std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0; }
+
 /// Until it is asked to stop, has enough or has waited long enough.
 void listen(const Arguments& arguments, Source& source, Listener& listener, const Outputs& outputs) {
   constexpr std::chrono::milliseconds kTurn{50};
@@ -129,29 +139,35 @@ void listen(const Arguments& arguments, Source& source, Listener& listener, cons
     if (arguments.timeout_s > 0 && now - heard >= Seconds{arguments.timeout_s}) break;
     if (arguments.stats && now - told >= Seconds{1}) {
       told = now;
-      fmt::print("{}", status_line(listener.statistics()));
-      std::fflush(stdout);
+      print(status_line(listener.statistics()));
     }
   }
 }
 
 int fail(int exit_code, const std::string& message) {
-  fmt::print(stderr, "articam-listen: {}\n", message);
+  std::fputs(("articam-listen: " + message + '\n').c_str(), stderr);
   return exit_code;
 }
 
 int run(const Arguments& arguments, const Addresses& addresses) {
+  std::shared_ptr<articam::wire::Verifier> verifier;
+  if (!arguments.key.empty()) {
+    std::string problem;
+    verifier = make_verifier(arguments.key, arguments.key_state, problem);
+    if (verifier == nullptr) return fail(kFailed, problem);
+  }
   Source source;
   if (const auto problem = source.open(addresses.from); !problem.empty()) return fail(kFailed, problem);
   Outputs outputs;
   if (const auto problem = open_outputs(arguments, addresses, outputs); !problem.empty()) return fail(kFailed, problem);
-  Listener listener{[&](const Heard& heard) {
+  const auto deliver = [&](const Heard& heard) {
     if (arguments.count == 0 || outputs.taken() < arguments.count) outputs.take(heard);
-  }};
+  };
+  Listener listener{deliver, verifier.get()};
   listen(arguments, source, listener, outputs);
   outputs.finish();
-  fmt::print("{}", table(listener.statistics()));
-  if (std::fflush(stdout) != 0) return fail(kFailed, fmt::format("standard output: {}", std::strerror(errno)));
+  if (!print(table(listener.statistics())))
+    return fail(kFailed, std::string{"standard output: "} + std::strerror(errno));
   if (!source.problem().empty()) return fail(kFailed, source.problem());
   if (outputs.failed()) return kFailed;
   if (stop_asked != 0) return kDone;

@@ -1,14 +1,12 @@
 #include "tools/listen/outputs.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 
 namespace articam::listen {
 namespace {
 
 bool complain(const std::string& problem) {
-  if (!problem.empty()) fmt::print(stderr, "articam-listen: {}\n", problem);
+  if (!problem.empty()) std::fputs(("articam-listen: " + problem + '\n').c_str(), stderr);
   return !problem.empty();
 }
 
