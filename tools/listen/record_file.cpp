@@ -11,7 +11,9 @@
 namespace articam::listen {
 
 RecordFile::~RecordFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  if (size_ == 0) ::unlink(path_.c_str());
 }
 
 std::string RecordFile::create(const std::string& path, bool overwrite) {
@@ -45,6 +47,7 @@ std::string RecordFile::close() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) return fail("cannot be written", errno);
   // Whatever close() returns, the descriptor is gone: a second one could close somebody else's file.
   if (::close(std::exchange(descriptor_, -1)) != 0) return fail("cannot be written", errno);
+  if (size_ == 0) ::unlink(path_.c_str());
   return {};
 }
 

@@ -9,7 +9,8 @@
 namespace articam::listen {
 
 /// Each record is one write: killed at any time, the program leaves all records before. A record that does not fit on
-/// the disk is taken back whole. (What the system itself had not yet written is lost when power goes.)
+/// the disk is taken back whole. A file without any record is removed. (What the system itself had not yet written is
+/// lost when power goes.)
 class RecordFile {
  public:
   RecordFile() = default;

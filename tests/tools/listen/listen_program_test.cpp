@@ -183,6 +183,8 @@ TEST_F(ListenProgram, EndsWithOneWhereAnOutputFailsAndKeepsTheOthers) {
   EXPECT_EQ(read_file(folder_ / "old.csv"), "kept");
   expect(here + "--mcap /dev/null --overwrite", 1, "only a plain file is replaced");
   expect(here + "--csv no/folder/e.csv", 1, "no/folder/e.csv");
+  expect(here + "--csv e.csv --mcap old.csv", 1, "old.csv: exists");
+  EXPECT_FALSE(fs::exists(folder_ / "e.csv")) << "an empty file stayed behind";
   start("--csv e.csv --count 20", "/dev/full");
   say_all();
   EXPECT_EQ(end(0), 1);

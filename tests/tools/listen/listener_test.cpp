@@ -30,7 +30,7 @@ class ListenerTest : public testing::Test {
 };
 
 TEST_F(ListenerTest, KeepsBoardsOfOneGroupApart) {
-  for (const std::uint64_t session : {1, 2}) hear_model(session);
+  for (const std::uint64_t session : {1u, 2u}) hear_model(session);
   for (std::uint32_t number = 0; number < 10; ++number) {
     hear_estimate(1, number);
     hear_estimate(2, 2 * number);

@@ -47,8 +47,18 @@ TEST_F(RecordFileTest, KeepsAnOlderRecordingUnlessToldOtherwise) {
   std::ofstream{path_} << "old";
   EXPECT_NE(RecordFile{}.create(path_, false), "");
   EXPECT_EQ(content(), "old");
-  EXPECT_EQ(RecordFile{}.create(path_, true), "");
+  RecordFile file;
+  EXPECT_EQ(file.create(path_, true), "");
   EXPECT_EQ(content(), "");
+}
+
+TEST_F(RecordFileTest, LeavesNoFileWithoutARecord) {
+  EXPECT_EQ(RecordFile{}.create(path_, false), "");
+  EXPECT_FALSE(fs::exists(path_));
+  RecordFile file;
+  EXPECT_EQ(file.create(path_, false), "");
+  EXPECT_EQ(file.close(), "");
+  EXPECT_FALSE(fs::exists(path_));
 }
 
 TEST_F(RecordFileTest, RefusesWhatIsNoPlainFile) {
