@@ -136,7 +136,7 @@ TEST_F(ListenProgram, RecordsAndForwardsEveryEstimateOnce) {
 TEST_F(ListenProgram, TellsLossDuplicatesAndBadPackets) {
   start("--quiet --csv e.csv");
   say(test::packet_of(model_));
-  for (const std::size_t i : {0, 1, 1, 4, 3}) say(test::packet_of(estimates_[i]));
+  for (const std::size_t i : {0u, 1u, 1u, 4u, 3u}) say(test::packet_of(estimates_[i]));
   auto torn = test::packet_of(estimates_[5]);
   torn.pop_back();
   say(torn);

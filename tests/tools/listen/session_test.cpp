@@ -38,7 +38,7 @@ class SessionTest : public testing::Test {
 };
 
 TEST_F(SessionTest, KeepsEstimatesUntilTheirJointsHaveNamesAndThenGivesEachOnce) {
-  for (const std::uint32_t number : {5, 6, 6, 8, 7}) EXPECT_EQ(hear(number, number), wire::Fault::none);
+  for (const std::uint32_t number : {5u, 6u, 6u, 8u, 7u}) EXPECT_EQ(hear(number, number), wire::Fault::none);
   EXPECT_TRUE(delivered_.empty());
   EXPECT_EQ(session_.unnamed(), 4u);
   EXPECT_EQ(session_.take(model_, deliver_), wire::Fault::none);
