@@ -88,19 +88,22 @@ int run(const Options& options) {
   Listener listener{deliver, verifier.get()};
   listen(options, source, listener, outputs);
   outputs.finish();
-  if (!print(table(listener.statistics())))
+  if (!print(table(listener.statistics()))) {
     return fail(kFailed, std::string{"standard output: "} + std::strerror(errno));
+  }
   if (!source.problem().empty()) return fail(kFailed, source.problem());
   if (outputs.failed()) return kFailed;
   if (stop_asked != 0) return kDone;
-  if (outputs.taken() == 0)
+  if (outputs.taken() == 0) {
     return fail(kFailed, "nothing was heard: does the board send here, and does a firewall let it?");
+  }
   return outputs.taken() < options.count ? fail(kFailed, "fewer estimates came than --count asks for") : kDone;
 }
 
 void install_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { stop_asked = 1; };
+  action.sa_flags = SA_RESTART;  // what is being written is written; poll() returns all the same
   for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an output that fails; the files are still ended
 }
