@@ -37,6 +37,6 @@ endforeach()
 file(WRITE ${TABLE} "${table}")
 message("${table}")
 if(wanted)
-  message("Make it smaller. If the growth is worth its price, say so in the commit and write these lines (measured + 10 %)\n"
-    "into ${CEILINGS}:\n${wanted}")
+  message("Make it smaller. If the growth is worth its price, say so in the commit and write these lines\n"
+    "(measured + 10 %) into ${CEILINGS}:\n${wanted}")
 endif()

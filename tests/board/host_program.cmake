@@ -1,7 +1,7 @@
 # articam_add_host_program(NAME SOURCES f.cpp ... [FLAGS ...] [SUFFIX .so]): in a cross build, a program for this very
 # machine, by its own compiler. Sets the variable NAME to its path. Programs with core in them compute the board's bits.
-find_program(ARTICAM_HOST_CXX NAMES g++ c++ clang++ DOC "Compiler for this machine, for the programs that watch the board"
-  REQUIRED)
+find_program(ARTICAM_HOST_CXX NAMES g++ c++ clang++ REQUIRED
+  DOC "Compiler for this machine, for the programs that watch the board")
 get_target_property(eigen_include Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 
 function(articam_add_host_program name)
