@@ -6,6 +6,7 @@
 #include "hal/memory/manual_clock.hpp"
 #include "hal/run_loop.hpp"
 #include "tests/hal/supervision/moody_camera.hpp"
+#include "tests/support/fake_tracker.hpp"
 
 namespace articam {
 namespace {
@@ -96,18 +97,11 @@ TEST_F(SupervisedCamera, ThatGivesNothingButBrokenFramesIsSilentToo) {
 }
 
 TEST_F(SupervisedCamera, KeepsTheLoopSpeakingWhileItsStartTakesLong) {
-  struct FakeEstimate {
-    std::uint32_t frame{};
-  };
-  struct FakeTracker {
-    using EstimateType = FakeEstimate;
-    FakeEstimate step(const ImageView&, Timestamp) noexcept { return {}; }
-    FakeEstimate coast(Timestamp) noexcept { return {}; }
-  } tracker;
+  test::FakeTracker tracker;
   hal::MonotonicClock now;
   hal::SupervisedCamera watched{camera, now, kHasty};
-  hal::LatestLink<FakeEstimate> link;
-  hal::RunLoop loop{watched, now, link, tracker, 1ms};
+  hal::LatestLink<test::FakeEstimate> link;
+  hal::RunLoop loop{watched, now, link, tracker, {.period = 1ms}};
   ASSERT_EQ(loop.start(), Status::ok);
   EXPECT_EQ(loop.run_once(), hal::Tick::estimated);
   camera.mood = Mood::unplugged;
