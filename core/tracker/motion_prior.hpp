@@ -3,6 +3,7 @@
 
 #include "core/timestamp.hpp"
 #include "core/tracker/options.hpp"
+#include "core/tracker/tracking_status.hpp"
 #include "core/tracker/vvs.hpp"
 
 namespace articam::tracker {
@@ -63,6 +64,11 @@ class MotionPrior {
   /// Half the prior's deviation is left: the frame has said less of this degree of freedom than was known without it.
   bool is_weak(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
     return !(covariance(i, i) < S(0.25) * deviation_[i] * deviation_[i]);
+  }
+  /// All of it is left, but for a hundredth: what the neighbours' correlations take is no observation.
+  Observability observability(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
+    if (!is_weak(covariance, i)) return Observability::observed;
+    return covariance(i, i) < S(0.98) * deviation_[i] * deviation_[i] ? Observability::weak : Observability::held;
   }
 
   /// Nothing is known of the motion any more: the mean stays where it is.

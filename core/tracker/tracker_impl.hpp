@@ -256,8 +256,7 @@ auto Tracker<Model, Scalar>::judge(Timestamp t) noexcept -> EstimateType {
   estimate.iterations = found_.solution.iterations;
   if (moved) {
     for (int i = 0; i < kDof; ++i) {
-      estimate.observability[static_cast<std::size_t>(i)] =
-          motion_.is_weak(found_.solution.covariance, i) ? Observability::weak : Observability::observed;
+      estimate.observability[static_cast<std::size_t>(i)] = motion_.observability(found_.solution.covariance, i);
     }
     motion_.measured(q_, found_.solution.covariance, period_s_, following_ && !paper);
     estimate.covariance = found_.solution.covariance;

@@ -15,10 +15,10 @@
 namespace articam::receiver {
 
 struct Options {
-  std::string address{"udp://239.255.47.47:47047"};  ///< as the board has it, see hal/wire/address.hpp
-  std::uint64_t model_hash{};                        ///< articam::model::table_hash of the model; 0 takes every one
-  double horizon_s{0.1};                             ///< an estimate is predicted this far, and not farther
-  wire::Verifier* verifier{};                        ///< authentication, off by default; outlives the receiver
+  std::string address{wire::kDefaultAddress};  ///< as the board has it, see hal/wire/address.hpp
+  std::uint64_t model_hash{};                  ///< articam::model::table_hash of the model; 0 takes every one
+  double horizon_s{0.1};                       ///< an estimate is predicted this far, and not farther
+  wire::Verifier* verifier{};                  ///< authentication, off by default; outlives the receiver
 };
 
 enum class Freshness : std::uint8_t {

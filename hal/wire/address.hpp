@@ -13,6 +13,8 @@
 namespace articam::wire {
 
 inline constexpr std::uint16_t kDefaultPort = 47047;
+/// Where a board sends and a listener listens when nobody says: a group of this network (RFC 2365, organization-local).
+inline constexpr std::string_view kDefaultAddress = "udp://239.255.47.47:47047";
 inline constexpr std::uint32_t kDefaultBaud = 921600;
 
 struct Address {

@@ -23,13 +23,18 @@ for mode in default paper; do
   done
 done
 
+"$bin/articam-bits" >"$out/bits"
+"$other_bin/articam-bits" | cmp "$out/bits" -
+
 compared=0
 for header in "$models"/*/*.hpp; do
   stem=${header%.hpp}
-  type=$(sed -n 's/^struct \([A-Za-z0-9]*\).*/\1/p' "$header")
+  name=$(sed -n 's/^struct \([A-Za-z0-9]*\).*/\1/p; s/.*constexpr CameraParameters k\([A-Za-z0-9]*\).*/\1/p' "$header")
+  sources=(--urdf "$stem.urdf" --markers "$stem.markers.yaml")
+  [ -e "$stem.urdf" ] || sources=(--camera "$stem.yaml")
   for programs in "$bin" "$other_bin"; do
-    "$programs/articam-modelgen" --urdf "$stem.urdf" --markers "$stem.markers.yaml" --name "$type" -o "$out/model.hpp"
-    cmp "$header" "$out/model.hpp"
+    "$programs/articam-modelgen" "${sources[@]}" --name "$name" -o "$out/generated.hpp"
+    cmp "$header" "$out/generated.hpp"
   done
   compared=$((compared + 1))
 done

@@ -14,7 +14,8 @@ namespace {
 
 constexpr const char* kExamples = R"(
 Examples
-  articam-listen                                  what is sent to port 47047 of this machine
+  articam-listen                                  the group that a board sends to when nobody says otherwise
+  articam-listen --udp 47047                      what is sent to that port of this machine
   articam-listen --udp 239.1.1.1:47047            what is sent to a group; ?via=10.0.0.5 chooses the interface
   articam-listen --serial /dev/ttyUSB0?baud=115200
   articam-listen --quiet --csv est.csv --mcap run.mcap --seconds 60
@@ -31,7 +32,7 @@ struct Texts {
 };
 
 void declare_input(CLI::App& app, Texts& texts, Options& out) {
-  auto* udp = app.add_option("--udp", texts.udp, "listen there (default: port 47047, every interface)");
+  auto* udp = app.add_option("--udp", texts.udp, "listen there (default: the board's group, 239.255.47.47:47047)");
   udp->type_name("[GROUP:]PORT");
   app.add_option("--serial", texts.serial, "listen on a serial line")->type_name("DEVICE")->excludes(udp);
   auto* key = app.add_option("--key", out.key, "take only packets that the holder of this key has made");
@@ -76,6 +77,7 @@ std::string parse_texts(const CLI::App& app, const Texts& texts, Options& out) {
     return why.empty() ? why : fmt::format("{}: {}\nRun with --help for more information.", option, why);
   };
   std::string problem;
+  if (app.count("--udp") + app.count("--serial") == 0) (void)wire::parse_address(wire::kDefaultAddress, out.from);
   if (app.count("--udp") > 0) problem = wrong("--udp", parse_udp(texts.udp, out.from));
   if (app.count("--serial") > 0) problem = wrong("--serial", parse_serial(texts.serial, out.from));
   if (app.count("--json-udp") > 0 && problem.empty()) problem = wrong("--json-udp", parse_json(texts.json, out.json));

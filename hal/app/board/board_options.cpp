@@ -45,7 +45,8 @@ void declare_camera(CLI::App& app, BoardOptions& options) {
   app.add_option("--rate", options.rate_hz, "frames per second")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
   app.add_option("--exposure-us", options.exposure_us, "exposure time, microseconds (default: automatic)")
       ->check(CLI::Range(1.0, 1e6));
-  app.add_option("--gain", options.gain, "sensor gain, v4l2: in the device's own units (default: automatic)")->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--gain", options.gain, "sensor gain; v4l2: in the device's own units (default: automatic)")
+      ->check(CLI::Range(1.0, 1000.0));
   app.add_option("--frames", options.num_frames, "stop after so many frames (0: never)");
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/tracker/options.hpp"
+#include "hal/wire/address.hpp"
 
 namespace articam::app {
 
@@ -19,7 +20,7 @@ struct BoardOptions {
   std::optional<double> exposure_us, gain;  ///< none: automatic
   std::uint64_t num_frames{};               ///< then stop; 0: never
 
-  std::string link{"udp://239.255.47.47"};  ///< or "stdout"
+  std::string link{wire::kDefaultAddress};  ///< or "stdout"
   std::string key_file, counter_file;       ///< of authentication; empty: none
 
   int priority{50};        ///< SCHED_FIFO; 0: none

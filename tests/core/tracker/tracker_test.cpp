@@ -176,6 +176,28 @@ TEST_F(PrinterTracker, CoastsOnATickWithoutAFrameAndLeavesTheNextFrameItsOwnTime
   EXPECT_TRUE(after.q.joints == undisturbed.q.joints && after.q.T_cam_obj.t == undisturbed.q.T_cam_obj.t);
 }
 
+TEST_F(PrinterTracker, SaysOfEveryDegreeOfFreedomWhetherTheFrameObservedIt) {
+  using enum tracker::Observability;
+  track();
+  const auto all = see();
+  for (const auto seen : all.observability) EXPECT_EQ(seen, observed);
+  const auto no_drawer = see([](Markers& markers) { markers.resize(4); });
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(no_drawer.observability[i], observed) << i;
+  EXPECT_EQ(no_drawer.observability[6], held);
+  EXPECT_EQ(no_drawer.observability[7], held);
+  for (const auto seen : tracker_->coast(from_seconds(1)).observability) EXPECT_EQ(seen, held);
+}
+
+TEST_F(PrinterTracker, GivesFromRecordedDetectionsWhatItGaveFromTheImage) {
+  const auto other = std::make_unique<Tracker>(Scenario::camera());
+  for (int i = 0; i < 10; ++i) {
+    const auto seen = see();
+    const auto again = other->step(tracker_->detections(), tracker_->overloaded(), seen.t_capture);
+    EXPECT_TRUE(seen.q.joints == again.q.joints && seen.q.T_cam_obj.t == again.q.T_cam_obj.t &&
+                seen.covariance == again.covariance && seen.status == again.status);
+  }
+}
+
 TEST_F(PrinterTracker, GivesTheTransientOfThePapersModeAsInitialising) {
   tracker_ = std::make_unique<Tracker>(Scenario::camera(), tracker::Options{.mode = tracker::Mode::paper});
   const auto first = see();

@@ -15,11 +15,11 @@ std::optional<int> parse(std::vector<const char*> arguments, Options& out) {
   return parse_options(static_cast<int>(arguments.size()), arguments.data(), out);
 }
 
-TEST(Options, WithoutAnyListenToThePortOfTheLinkAndPrint) {
+TEST(Options, WithoutAnyListenToTheGroupThatABoardSendsToAndPrint) {
   Options options;
   EXPECT_EQ(parse({}, options), std::nullopt);
   EXPECT_EQ(options.from.port, wire::kDefaultPort);
-  EXPECT_EQ(options.from.host, Host{});
+  EXPECT_EQ(options.from.host, (Host{239, 255, 47, 47}));
   EXPECT_FALSE(options.quiet || options.json || options.overwrite);
   EXPECT_EQ(options.count, 0u);
 }

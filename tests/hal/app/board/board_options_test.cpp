@@ -33,7 +33,7 @@ TEST(BoardOptions, TakeTheFirstCameraOfLibcameraAndAMulticastGroupWhereNothingIs
   const BoardOptions none = options({});
   EXPECT_EQ(none.source, BoardOptions::Source::libcamera);
   EXPECT_EQ(none.device, "");
-  EXPECT_EQ(none.link, "udp://239.255.47.47");
+  EXPECT_EQ(none.link, wire::kDefaultAddress);
   EXPECT_EQ(none.rate_hz, 30);
   EXPECT_FALSE(none.exposure_us || none.gain || none.cpu);
 }
