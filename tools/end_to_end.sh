@@ -80,6 +80,7 @@ run() {
   local failed=0
   wait "$program" || failed=1
   wait "$listener" || failed=1
+  wait  # for the flood, where there is one
   if [ $failed -ne 0 ]; then tail -n 5 "$out/$1.board" "$out/$1.listen" >&2; fi
   return $failed
 }
