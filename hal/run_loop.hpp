@@ -1,6 +1,7 @@
 #pragma once
 /// @file  Joins ports and tracker: the same loop on the board and in the simulator.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
@@ -40,7 +41,8 @@ struct LoopTimes {
   static constexpr double kLost_periods = 10;      ///< silent for longer: lost
   /// After so long without a frame the tick speaks without one.
   constexpr std::chrono::milliseconds wait() const noexcept {
-    return std::chrono::ceil<std::chrono::milliseconds>(period + period / 4);
+    constexpr std::chrono::milliseconds kMost{500};  // a slow camera is no reason to be silent, nor a dead loop's
+    return std::min(kMost, std::chrono::ceil<std::chrono::milliseconds>(period + period / 4));
   }
 };
 
@@ -65,13 +67,14 @@ class RunLoop {
     if (status != Status::ok) {
       ++(status == Status::timeout ? counters_.timeouts : counters_.camera_errors);
       may_restart_ = true;
-      return publish(without_frame(status, now), status == Status::timeout ? Tick::coasted : Tick::failed);
+      return publish(without_frame(status, tracker::Reason::no_frame, now),
+                     status == Status::timeout ? Tick::coasted : Tick::failed);
     }
     if (!is_next(frame, now)) {
       camera_.release(frame);
       ++counters_.refused;
       if (++refused_in_a_row_ >= kRefusalsToRestart) may_restart_ = true;
-      return publish(without_frame(Status::ok, now), Tick::refused);
+      return publish(without_frame(status, tracker::Reason::stale_frame, now), Tick::refused);
     }
     EstimateType estimate = tracker_.step(frame.pixels, t_last_);
     camera_.release(frame);
@@ -109,9 +112,9 @@ class RunLoop {
   }
 
   /// The prediction, for as long as a silent camera can be believed to come back with the object still near it.
-  EstimateType without_frame(Status camera, Timestamp now) const noexcept {
+  EstimateType without_frame(Status camera, tracker::Reason why, Timestamp now) const noexcept {
     using tracker::Reason, tracker::TrackingStatus;
-    EstimateType estimate = tracker_.coast(now);
+    EstimateType estimate = tracker_.coast(now, why);
     if (estimate.reason == Reason::no_start) return estimate;
     const double silent_periods = seconds_between(t_last_, now) / std::chrono::duration<double>(times_.period).count();
     const bool gone = camera == Status::no_device;

@@ -2,6 +2,7 @@
 /// @file  A tracker that knows how long its last step took.
 
 #include "core/timestamp.hpp"
+#include "core/tracker/tracking_status.hpp"
 #include "core/vision/image_view.hpp"
 #include "hal/ports/clock_port.hpp"
 
@@ -22,7 +23,7 @@ class TimedTracker {
     step_s_ = seconds_between(begin, clock_.now());
     return estimate;
   }
-  EstimateType coast(Timestamp t) noexcept { return tracker_.coast(t); }
+  EstimateType coast(Timestamp t, tracker::Reason why) noexcept { return tracker_.coast(t, why); }
 
   double step_s() const noexcept { return step_s_; }
 

@@ -1,7 +1,9 @@
 #pragma once
 /// @file  A number that tells one compiled model from another.
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 

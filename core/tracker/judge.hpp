@@ -1,6 +1,8 @@
 #pragma once
 /// @file  Evidence of one frame -> status and reason.
 
+#include <algorithm>
+
 #include "core/timestamp.hpp"
 #include "core/tracker/estimate.hpp"
 #include "core/tracker/options.hpp"
@@ -37,7 +39,8 @@ class Judge {
 
   Verdict decide(const Evidence& evidence, Timestamp t) noexcept {
     if (!any_frame_) any_frame_ = true, t_begin_ = t;
-    misfits_ = evidence.complete && evidence.converged && !evidence.agrees ? misfits_ + 1 : 0;
+    const bool misfit = evidence.complete && evidence.converged && !evidence.agrees;
+    misfits_ = misfit ? std::min(misfits_ + 1, kMisfitsToFault) : 0;
     const Verdict verdict = consider(evidence, t);
     const bool good = verdict.status == TrackingStatus::tracking || verdict.status == TrackingStatus::degraded;
     // One mark in the clutter can be followed for ever; only what checks itself is a measurement.

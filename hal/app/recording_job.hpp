@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/config.hpp"
 #include "core/model/table_hash.hpp"
@@ -43,7 +45,7 @@ class CheckedTracker {
     if (!same(tracker_.detections(), tick.detections)) ++different_;
     return estimate;
   }
-  EstimateType coast(Timestamp t) const noexcept { return replayed_.coast(t); }
+  EstimateType coast(Timestamp t, tracker::Reason why) const noexcept { return replayed_.coast(t, why); }
 
   std::size_t looked_at() const noexcept { return looked_at_; }
   std::size_t different() const noexcept { return different_; }

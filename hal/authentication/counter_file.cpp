@@ -64,7 +64,8 @@ std::string folder_of(const std::string& path) {
 }
 
 bool write_whole(const std::string& path, std::string_view text) noexcept {
-  const File file{path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW};
+  ::unlink(path.c_str());  // left by a crash, or put there by another: what it is or points to is not written to
+  const File file{path, O_WRONLY | O_CREAT | O_EXCL};
   while (file && !text.empty()) {
     const ssize_t written = ::write(file.get(), text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;

@@ -10,7 +10,7 @@ namespace articam::hal {
 
 /// One line of text, `articam-counter 1 <number of 20 digits> <CRC-32>`. Written to `<path>.part`, synced and renamed,
 /// and then the folder is synced: whenever the power goes, the file is the old one or the new one. A `.part` that was
-/// left behind is written over by the next.
+/// left behind is removed by the next, never written to.
 class CounterFile {
  public:
   explicit CounterFile(std::string path) : path_{std::move(path)} {}

@@ -19,7 +19,8 @@ class Key {
   Key& operator=(const Key&) noexcept = default;
   ~Key();
 
-  /// A file of exactly 32 bytes that nobody but its owner may read or write.
+  /// A file of exactly 32 bytes that nobody but its owner may read or write. A file right in the folder that the
+  /// variable CREDENTIALS_DIRECTORY names is guarded by that folder (systemd's LoadCredential): its mode is not asked.
   /// Errors  io_error; bad_argument. `problem` is then a sentence.
   Status load(const std::string& path, std::string& problem);
 

@@ -45,7 +45,7 @@ std::string_view folder() noexcept {
 hal::SemihostingCamera camera{folder(), 30};
 Tracker tracker{recorded_with()};
 Link link;
-hal::RunLoop loop{camera, camera, link, tracker, std::chrono::milliseconds{40}};
+hal::RunLoop loop{camera, camera, link, tracker, {.period = std::chrono::nanoseconds{33'333'333}}};
 
 }  // namespace
 }  // namespace articam

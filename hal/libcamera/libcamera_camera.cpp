@@ -192,7 +192,9 @@ void LibcameraCamera::completed(const CompletedBuffer& buffer) noexcept {
 void LibcameraCamera::disconnected() noexcept { newest_.close(); }
 
 Timestamp LibcameraCamera::mid_exposure(const CompletedBuffer& buffer) const noexcept {
-  const std::int64_t half = buffer.exposure_ns / 2;
+  const std::int64_t asked_ns =
+      std::chrono::nanoseconds{options_.exposure.value_or(std::chrono::microseconds{0})}.count();
+  const std::int64_t half = (buffer.exposure_ns != 0 ? buffer.exposure_ns : asked_ns) / 2;
   if (options_.stamp == StampMarks::readout_start) return {buffer.stamp.ns - half};
   // Where the stamp marks the readout after all, a long exposure would be dated into the future.
   return {std::min(buffer.stamp.ns + half, monotonic_now().ns)};

@@ -38,8 +38,8 @@ struct LibcameraOptions {
 /// Lends frames in place where the camera gives a plane of luma. Where it does not, each frame is copied into one image
 /// of its own, and description() says so. One frame is lent at a time.
 ///
-/// Frames  t_exposure is mid-exposure of the first row, on CLOCK_MONOTONIC, where the camera tells its exposure time;
-///         the sensor's time stamp itself where it does not.
+/// Frames  t_exposure is mid-exposure of the first row, on CLOCK_MONOTONIC, where the camera tells its exposure time
+///         or one was asked for; the sensor's time stamp itself where neither is so.
 /// Heap    used in start and stop only; libcamera itself uses it also while it captures.
 class LibcameraCamera final : private CaptureEvents {
  public:

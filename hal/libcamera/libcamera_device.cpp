@@ -121,7 +121,10 @@ void LibcameraDevice::start(const Controls& controls, CaptureEvents& events) {
     list.set(libcamera::controls::FrameDurationLimits, {*controls.period_us, *controls.period_us});
   }
   check(camera_->start(&list), "start the capture");
-  for (const auto& request : requests_) check(camera_->queueRequest(request.get()), "queue a buffer");
+  for (const auto& request : requests_) {
+    request->controls().merge(list);  // several pipelines of the library heed no list given to start
+    check(camera_->queueRequest(request.get()), "queue a buffer");
+  }
 }
 
 void LibcameraDevice::make_requests() {

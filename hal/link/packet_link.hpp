@@ -23,6 +23,18 @@ concept Transport = requires(T transport, std::span<const std::uint8_t> packet) 
   noexcept->std::same_as<Status>;
 };
 
+namespace detail {
+
+/// What is left of an estimate that no receiver would take: that this turn of the loop has none, and why.
+inline void take_numbers_out(wire::EstimateMessage& m) noexcept {
+  m.valid = false;
+  m.status = tracker::TrackingStatus::fault, m.reason = tracker::Reason::large_residual;
+  m.t_cam_obj.clear(), m.joints.clear(), m.velocity.clear(), m.covariance.clear(), m.t_base_obj.clear();
+  m.matched = 0, m.rms_px = 0;
+}
+
+}  // namespace detail
+
 /// Once a second a packet with the names of the model goes before the estimate.
 template <class Estimate, Transport Carrier, ClockPort Clock>
 class PacketLink;
@@ -38,7 +50,7 @@ class PacketLink<tracker::Estimate<Model, S>, Carrier, Clock> {
 
   /// Allocates nothing and never waits.
   /// Errors  io_error: it did not go out; bad_argument: it is not consistent, such as a number that is not finite, and
-  /// no receiver would take it.
+  /// no receiver would take it. In its place goes that there is none, as a fault: each turn of the loop is heard of.
   Status publish(const tracker::Estimate<Model, S>& estimate) noexcept {
     const Timestamp now = clock_.now();
     if (sent_ == 0 || seconds_between(t_model_, now) >= 1) {
@@ -48,7 +60,10 @@ class PacketLink<tracker::Estimate<Model, S>, Carrier, Clock> {
     wire::EstimateMessage message = to_message_.estimate(estimate);
     message.number = sent_++;
     message.t_send = clock_.now();
-    return wire::check(message) == wire::Fault::none ? send(message) : Status::bad_argument;
+    if (wire::check(message) == wire::Fault::none) return send(message);
+    detail::take_numbers_out(message);
+    const Status status = send(message);
+    return status == Status::ok ? Status::bad_argument : status;
   }
 
  private:

@@ -1,9 +1,11 @@
 #include "hal/link/serial_transport.hpp"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -48,6 +50,13 @@ Status SerialTransport::open(const wire::Address& address) noexcept {
 void SerialTransport::close() noexcept {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   pending_ = {};
+  largest_ = 0;
+}
+
+/// Packets that pile up in the system's queue would come out old, and each as if it were the newest.
+bool SerialTransport::is_behind() const noexcept {
+  int queued = 0;  // bytes; a driver that does not tell has none
+  return ::ioctl(descriptor_, TIOCOUTQ, &queued) == 0 && queued > static_cast<int>(largest_);
 }
 
 /// True when nothing is left to write.
@@ -60,7 +69,7 @@ bool SerialTransport::write_pending() noexcept {
 
 Status SerialTransport::send(std::span<const std::uint8_t> packet) noexcept {
   const std::span<std::uint8_t> frame{frame_};
-  if (descriptor_ >= 0 && write_pending()) {
+  if (descriptor_ >= 0 && write_pending() && !is_behind()) {
     const auto size = wire::cobs_encode(packet, frame.subspan(1));
     if (size.ok()) {
       frame[0] = 0;
@@ -68,6 +77,7 @@ Status SerialTransport::send(std::span<const std::uint8_t> packet) noexcept {
       static_cast<void>(write_pending());
       if (pending_.size() <= size.value()) {
         ++counters_.sent;
+        largest_ = std::max(largest_, 1 + size.value());
         return Status::ok;
       }
       pending_ = {};  // the line took nothing: full, or gone

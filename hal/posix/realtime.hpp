@@ -13,7 +13,7 @@ std::string lock_memory();                    ///< present and future pages; the
 std::string set_fifo_priority(int priority);  ///< 1 to 99, SCHED_FIFO, of the calling thread
 std::string bind_to_cpu(int cpu);             ///< of the calling thread
 
-/// Touches `kBytes` of the calling thread's stack, so that no later call faults.
+/// Touches kTouchedStack_bytes of the calling thread's stack, so that no later call faults.
 void touch_stack() noexcept;
 inline constexpr std::size_t kTouchedStack_bytes = 512 * 1024;
 

@@ -34,7 +34,7 @@ Intake::Taken Intake::take(std::span<const std::uint8_t> packet, Timestamp t_rec
   }
   if (message_.kind == wire::MessageKind::model) {
     ++counters_.models;
-    return Taken::model;
+    return !any_ || message_.model.session == session_ ? Taken::model : Taken::nothing;
   }
   if (!is_newest(message_.estimate, t_receipt)) return Taken::nothing;
   ++counters_.estimates;

@@ -19,7 +19,8 @@ class Intake {
   explicit Intake(std::uint64_t model_hash = 0, wire::Verifier* verifier = nullptr) noexcept
       : model_hash_{model_hash}, verifier_{verifier} {}
 
-  /// Says what of message() is new. A packet that is refused changes nothing but the counters.
+  /// Says what of message() is new. A packet that is refused changes nothing but the counters. Once an estimate has
+  /// come, only a model of its session is new: after a restart of the board, the one that comes a second later.
   Taken take(std::span<const std::uint8_t> packet, Timestamp t_receipt) noexcept;
 
   const wire::Message& message() const noexcept { return message_; }

@@ -1,5 +1,9 @@
 #include "hal/receiver/receiver.hpp"
 
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+
 #include <algorithm>
 #include <atomic>
 #include <system_error>
@@ -25,6 +29,28 @@ struct Names {
   wire::ModelMessage model{};
 };
 
+/// A thread inherits what is blocked where it is made: so no signal can reach it, not even at its first instruction.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() noexcept {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// A flood must not take the CPU from a control loop whose priority this thread has inherited.
+void give_up_real_time() noexcept {
+  const sched_param none{};
+  ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
+}
+
 }  // namespace
 
 struct Receiver::Hearing {
@@ -32,6 +58,7 @@ struct Receiver::Hearing {
 
   void run() noexcept {
     constexpr int kLookUp_ms = 100;  // how soon stop() is noticed
+    give_up_real_time();
     while (!stopping.load(std::memory_order_relaxed)) {
       const Status status = inlet.wait(kLookUp_ms);
       if (status == Status::io_error) return;
@@ -79,6 +106,7 @@ Status Receiver::start(const Options& options) {
   auto hearing = std::make_unique<Hearing>(options);
   if (const Status status = hearing->inlet.open(address, problem_); status != Status::ok) return status;
   try {
+    const SignalsBlocked blocked;
     hearing->thread = std::thread{[own = hearing.get()] { own->run(); }};
   } catch (const std::system_error& error) {
     problem_ = std::string{"the receiving thread cannot be started: "} + error.what();

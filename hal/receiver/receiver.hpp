@@ -37,7 +37,8 @@ struct Reading {
   bool usable() const noexcept { return freshness == Freshness::fresh && estimate.valid; }
 };
 
-/// Hears one board from a thread of its own.
+/// Hears one board from a thread of its own. That one runs under SCHED_OTHER, whatever the creator runs under, and
+/// takes no signals.
 ///
 /// Age   The clocks of two machines are never compared. An estimate's age is what the board says that it took from
 ///       the capture to the sending, by the board's clock, and what has passed since the receipt, by ours. The time
@@ -58,6 +59,7 @@ class Receiver {
   /// Wait-free and without heap; for one thread. Every number in it is finite.
   Reading newest(Timestamp now = Receiver::now()) noexcept;
   /// The names of the numbers, as the board sends them once a second; false before the first. For the same thread.
+  /// In the first second after a restart of the board they are those of its session before: compare `session`.
   bool model(wire::ModelMessage& out) noexcept;
   /// As they were after the last wake-up. For the same thread.
   Counters counters() noexcept;

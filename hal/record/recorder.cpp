@@ -1,18 +1,10 @@
 #include "hal/record/recorder.hpp"
 
+#include <cstddef>
 #include <cstring>
-
-#include "hal/wire/crc32.hpp"
 
 namespace articam::hal {
 namespace {
-
-constexpr std::size_t kCrcOffset = 8;  ///< of what the CRC of a tick covers: behind its size and itself
-constexpr std::size_t kSlotCrcOffset = 4;
-
-std::uint32_t crc_of(std::span<const std::byte> bytes) noexcept {
-  return wire::crc32({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
 
 template <class Plain>
 void put(std::span<std::byte> block, std::size_t offset, const Plain& x) noexcept {
@@ -27,7 +19,7 @@ Status Recorder::open_ticks(const std::string& path, std::uint64_t max_bytes, co
   const Status status = ticks_.open({path, max_bytes, kMaxTickBytes, kNumBlocks});
   if (status != Status::ok) return status;
   put(ticks_.reserve(), 0, header);
-  ticks_.commit(sizeof header, 0);
+  ticks_.commit(sizeof header, 0, offsetof(RecordingHeader, crc32));
   max_bytes_ = max_bytes;
   end_ = sizeof header;
   return Status::ok;
@@ -38,14 +30,15 @@ Status Recorder::open_frames(const std::string& path, std::uint32_t num_slots, c
   const auto pixels =
       static_cast<std::size_t>(header.camera.width_px) * static_cast<std::size_t>(header.camera.height_px);
   const std::size_t block = sizeof(FrameSlot) + pixels;
-  const Status status = frames_.open({path, sizeof(FrameFileHeader) + num_slots * block, block, kNumBlocks});
+  const Status status =
+      frames_.open({path, sizeof(FrameFileHeader) + std::uint64_t{num_slots} * block, block, kNumBlocks});
   if (status != Status::ok) return status;
   put(frames_.reserve(), 0,
-      FrameFileHeader{.model_hash = header.model_hash,
+      FrameFileHeader{.num_slots = num_slots,
+                      .model_hash = header.model_hash,
                       .width_px = header.camera.width_px,
-                      .height_px = header.camera.height_px,
-                      .num_slots = num_slots});
-  frames_.commit(sizeof(FrameFileHeader), 0);
+                      .height_px = header.camera.height_px});
+  frames_.commit(sizeof(FrameFileHeader), 0, offsetof(FrameFileHeader, crc32));
   num_slots_ = num_slots;
   return Status::ok;
 }
@@ -92,8 +85,7 @@ void Recorder::finish_tick() noexcept {
   for (std::size_t i = 0; i < record_.num_detections; ++i) {
     put(block, sizeof(TickRecord) + i * sizeof(vision::Detection), detections_[i]);
   }
-  put(block, offsetof(TickRecord, crc32), crc_of(block.subspan(kCrcOffset, bytes - kCrcOffset)));
-  ticks_.commit(bytes, end_);
+  ticks_.commit(bytes, end_, offsetof(TickRecord, crc32));
   end_ += bytes;
   ++counters_.ticks;
 }
@@ -112,8 +104,8 @@ void Recorder::keep_frame(const Frame& frame) noexcept {
   for (std::size_t row = 0; row < height; ++row) {
     std::memcpy(block.data() + sizeof(FrameSlot) + row * width, frame.pixels.row(static_cast<int>(row)), width);
   }
-  put(block, 0, crc_of(block.subspan(kSlotCrcOffset)));
-  frames_.commit(block.size(), sizeof(FrameFileHeader) + next_slot_ * block.size());
+  const std::uint64_t offset = sizeof(FrameFileHeader) + std::uint64_t{next_slot_} * block.size();
+  frames_.commit(block.size(), offset, offsetof(FrameSlot, crc32));
   next_slot_ = (next_slot_ + 1) % num_slots_;
   ++counters_.frames;
 }

@@ -25,10 +25,12 @@ struct RecordingHeader {
   static constexpr std::uint64_t kMagic = 0x3130434552414341;  // "ACAREC01"
 
   std::uint64_t magic{kMagic};
-  std::uint64_t model_hash{};
   std::uint32_t header_bytes{sizeof(RecordingHeader)};
+  std::uint32_t crc32{};         ///< of everything behind this field
+  std::uint32_t schema{1};       ///< raised when a field of this file, a status or a reason changes its meaning
   std::uint32_t scalar_bytes{};  ///< of the tracker's numbers: 4 or 8
-  std::array<char, 64> model_name{};
+  std::uint64_t model_hash{};
+  std::array<char, 64> model_name{};  ///< ends with a zero
   std::int64_t period_ns{};
   double max_age_s{};
   CameraParameters camera{};
@@ -56,13 +58,13 @@ struct TickRecord {
 
 /// In the file of the last frames: each slot begins so, the pixels follow row by row without gaps.
 struct FrameFileHeader {
-  static constexpr std::uint64_t kMagic = 0x313052465241434a;  // "JCARFR01"
+  static constexpr std::uint64_t kMagic = 0x3130524652414341;  // "ACARFR01"
 
   std::uint64_t magic{kMagic};
+  std::uint32_t crc32{};  ///< of everything behind this field
+  std::uint32_t num_slots{};
   std::uint64_t model_hash{};
   std::int32_t width_px{}, height_px{};
-  std::uint32_t num_slots{};
-  std::uint32_t unused{};
 };
 struct FrameSlot {
   std::uint32_t crc32{};    ///< of everything behind this field, the pixels included

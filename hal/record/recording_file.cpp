@@ -1,6 +1,7 @@
 #include "hal/record/recording_file.hpp"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -60,8 +61,14 @@ std::optional<Recording> read_recording(const std::string& path, std::string& wh
     why = path + ": is no recording of articam-board";
     return std::nullopt;
   }
-  if (header.header_bytes != sizeof(RecordingHeader) || header.num_start > kMaxRecordedStart) {
+  if (header.header_bytes != sizeof(RecordingHeader) || header.schema != RecordingHeader{}.schema) {
     why = path + ": was recorded by another version; replay it with that one";
+    return std::nullopt;
+  }
+  constexpr std::size_t kCovered = offsetof(RecordingHeader, crc32) + sizeof header.crc32;
+  if (crc_of(bytes.subspan(kCovered, sizeof header - kCovered)) != header.crc32 ||
+      header.num_start > kMaxRecordedStart || header.model_name.back() != 0) {
+    why = path + ": its first bytes are damaged";
     return std::nullopt;
   }
   std::size_t offset = sizeof(RecordingHeader);
@@ -83,8 +90,11 @@ std::map<std::uint32_t, RecordedFrame> read_frames(const std::string& path, cons
   if (!file) return {};
   const Bytes bytes{*file};
   FrameFileHeader header;
-  if (!take(bytes, 0, header) || header.magic != FrameFileHeader::kMagic || header.model_hash != recording.model_hash ||
-      header.width_px != recording.camera.width_px || header.height_px != recording.camera.height_px) {
+  constexpr std::size_t kCovered = offsetof(FrameFileHeader, crc32) + sizeof header.crc32;
+  if (!take(bytes, 0, header) || header.magic != FrameFileHeader::kMagic ||
+      crc_of(bytes.subspan(kCovered, sizeof header - kCovered)) != header.crc32 ||
+      header.model_hash != recording.model_hash || header.width_px != recording.camera.width_px ||
+      header.height_px != recording.camera.height_px) {
     why = path + ": holds no frames of this recording";
     return {};
   }

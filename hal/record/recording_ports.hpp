@@ -58,7 +58,7 @@ class RecordingTracker {
     recorder_.stepped(tracker_.detections(), tracker_.overloaded(), estimate.reason == tracker::Reason::image_mismatch);
     return estimate;
   }
-  EstimateType coast(Timestamp t) const noexcept { return tracker_.coast(t); }
+  EstimateType coast(Timestamp t, tracker::Reason why) const noexcept { return tracker_.coast(t, why); }
 
  private:
   Tracker& tracker_;

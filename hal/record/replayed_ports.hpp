@@ -77,7 +77,7 @@ class ReplayedTracker {
     if (tick.record.mismatched != 0) return tracker_.coast(t, tracker::Reason::image_mismatch);
     return tracker_.step(tick.detections, tick.record.overloaded != 0, t);
   }
-  EstimateType coast(Timestamp t) const noexcept { return tracker_.coast(t); }
+  EstimateType coast(Timestamp t, tracker::Reason why) const noexcept { return tracker_.coast(t, why); }
 
  private:
   Tracker& tracker_;

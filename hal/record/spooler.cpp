@@ -4,10 +4,22 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 
+#include "hal/wire/crc32.hpp"
+
 namespace articam::hal {
+namespace {
+
+void seal(std::span<std::byte> block, std::size_t crc_at) noexcept {
+  const std::span<const std::byte> covered = block.subspan(crc_at + sizeof(std::uint32_t));
+  const std::uint32_t crc = wire::crc32({reinterpret_cast<const std::uint8_t*>(covered.data()), covered.size()});
+  std::memcpy(block.data() + crc_at, &crc, sizeof crc);
+}
+
+}  // namespace
 
 Status Spooler::open(const Options& options) noexcept {
   (void)close();
@@ -21,6 +33,8 @@ Status Spooler::open(const Options& options) noexcept {
     free_ = options.num_blocks;
     ends_ = false;
     error_ = 0;
+    // What is there may be the recording of what went wrong before a restart.
+    (void)std::rename(path_.c_str(), (path_ + ".before").c_str());
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor_ < 0) return fail("cannot be written", errno);
     const int error = ::posix_fallocate(descriptor_, 0, static_cast<off_t>(options.file_bytes));
@@ -40,8 +54,8 @@ std::span<std::byte> Spooler::reserve() noexcept {
   return {storage_.data() + head_ * block_bytes_, block_bytes_};
 }
 
-void Spooler::commit(std::size_t bytes, std::uint64_t offset) noexcept {
-  blocks_[head_] = {bytes, offset};
+void Spooler::commit(std::size_t bytes, std::uint64_t offset, std::size_t crc_at) noexcept {
+  blocks_[head_] = {bytes, offset, crc_at};
   head_ = (head_ + 1) % blocks_.size();
   free_.fetch_sub(1, std::memory_order_relaxed);
   ready_.release();
@@ -52,8 +66,10 @@ void Spooler::write_blocks() noexcept {
     ready_.acquire();
     // close() releases once more than there are blocks.
     if (ends_ && free_.load(std::memory_order_acquire) == blocks_.size()) return;
-    const auto [bytes, offset] = blocks_[tail];
-    if (error_ == 0 && !write(storage_.data() + tail * block_bytes_, bytes, offset)) error_ = errno;
+    const auto [bytes, offset, crc_at] = blocks_[tail];
+    const std::span<std::byte> block{storage_.data() + tail * block_bytes_, bytes};
+    seal(block, crc_at);
+    if (error_ == 0 && !write(block.data(), bytes, offset)) error_ = errno;
     free_.fetch_add(1, std::memory_order_release);
   }
 }

@@ -28,14 +28,16 @@ class Spooler {
     std::uint64_t file_bytes{};
     std::size_t block_bytes{}, num_blocks{};
   };
+  /// A file of that name is renamed to `<path>.before`.
   /// Errors  io_error; problem() is a sentence with path and cause.
   Status open(const Options& options) noexcept;
   bool is_open() const noexcept { return descriptor_ >= 0; }
 
   /// Where the next block is to be built; empty when the writer is behind.
   std::span<std::byte> reserve() noexcept;
-  /// Hands the reserved block over: its first `bytes` are to be at `offset` of the file.
-  void commit(std::size_t bytes, std::uint64_t offset) noexcept;
+  /// Hands the reserved block over: its first `bytes` are to be at `offset` of the file. The writer puts the CRC-32 of
+  /// all behind it at `crc_at` of the block: a whole image takes milliseconds that the loop does not have.
+  void commit(std::size_t bytes, std::uint64_t offset, std::size_t crc_at) noexcept;
 
   /// Writes what is left and makes it last. `end`: the file is cut there; 0 keeps its size.
   Status close(std::uint64_t end = 0) noexcept;
@@ -45,6 +47,7 @@ class Spooler {
   struct Block {
     std::size_t bytes{};
     std::uint64_t offset{};
+    std::size_t crc_at{};
   };
 
   void write_blocks() noexcept;

@@ -1,5 +1,6 @@
 #include "hal/replay/loop_camera.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <thread>
 

@@ -7,10 +7,10 @@ namespace articam::hal {
 
 /// Ready, once: capture runs.
 void tell_ready() noexcept;
-/// The end has begun.
+/// The end has begun. Like the others it waits while systemd's own queue is full.
 void tell_stopping() noexcept;
 
-/// Feeds systemd's watchdog, at most every half of WatchdogSec. Whoever calls feed() is what is watched.
+/// Feeds systemd's watchdog, every quarter of WatchdogSec at most. Whoever calls feed() is what is watched.
 class Watchdog {
  public:
   Watchdog() noexcept;

@@ -17,8 +17,11 @@ namespace articam::wire {
 Fault parse_message(std::span<const std::uint8_t> payload, Message& out) noexcept;
 
 /// inconsistent unless every number is finite, the lists of a valid estimate fit together and those of one that is not
-/// valid are empty, quaternions are of unit length and the estimate is not sent before it was seen.
+/// valid are empty, quaternions are of unit length, variances are not negative and the estimate is not sent before it
+/// was seen.
 Fault check(const EstimateMessage& estimate) noexcept;
+/// inconsistent unless every number is finite, a pose is one, and each name says something: without control characters,
+/// commas and quotes, since names reach terminals and the heads of CSV files.
 Fault check(const ModelMessage& model) noexcept;
 
 /// Both: what this passes may be used without another look.

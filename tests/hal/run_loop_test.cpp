@@ -67,6 +67,7 @@ TEST_F(RunLoop, RefusesDuplicatesAndFramesOutOfOrderWithoutAStepAndSpeaksAllTheS
   EXPECT_EQ(tracker_.steps, 1);
   EXPECT_EQ(link_.published(), 5u);
   EXPECT_EQ(link_.latest().status, TrackingStatus::coasting);
+  EXPECT_EQ(link_.latest().reason, Reason::stale_frame);
   EXPECT_EQ(loop_.counters().refused, 4u);
   EXPECT_EQ(show(8, 1.7), Tick::estimated);
 }

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using articam::test::Ended;
 
-/// The frames of one second of the moving drawer, rendered once for all tests.
+/// The frames of two seconds of the moving drawer, rendered once for all tests.
 const fs::path& frames() {
   static const fs::path folder = [] {
     const fs::path here = fs::path(testing::TempDir()) / ("articam.board_frames." + std::to_string(::getpid()));
@@ -98,6 +98,10 @@ TEST_F(Board, SaysWhatItDidAndThatItsMemoryStoodStill) {
   EXPECT_EQ(board.exit_code, 0);
   EXPECT_NE(board.text.find("total  90 frames"), std::string::npos) << board.text;
   EXPECT_NE(board.text.find("heap growth 0 bytes"), std::string::npos) << board.text;
+  if (board.text.find("memory is not locked") != std::string::npos) GTEST_SKIP() << "memory cannot be locked here";
+#ifndef ARTICAM_EMULATED  // an emulator translates as it goes, and faults for itself
+  EXPECT_NE(board.text.find("page faults 0 "), std::string::npos) << board.text;
+#endif
 }
 
 TEST_F(Board, EndsWithAClearWordWithoutACamera) {
@@ -108,8 +112,7 @@ TEST_F(Board, EndsWithAClearWordWithoutACamera) {
   }
 }
 
-TEST_F(Board, RefusesALinkAStartAndAKeyThatCannotBe) {
-  EXPECT_EQ(run(replayed("--link carrier-pigeon://roof")).exit_code, 1);
+TEST_F(Board, RefusesAStartAndAKeyThatCannotBe) {
   const Ended behind = run(replayed("--link stdout --q0 '0 0 -1 1 0 0 0 0 0'"));
   EXPECT_EQ(behind.exit_code, 1);
   EXPECT_NE(behind.text.find("pz is not positive"), std::string::npos) << behind.text;

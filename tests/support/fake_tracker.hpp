@@ -21,8 +21,8 @@ struct FakeTracker {
   FakeEstimate step(const ImageView&, Timestamp t) noexcept {
     return ++steps, FakeEstimate{0, t, tracker::TrackingStatus::tracking, tracker::Reason::none, true};
   }
-  FakeEstimate coast(Timestamp t) noexcept {
-    return ++coasts, FakeEstimate{0, t, tracker::TrackingStatus::coasting, tracker::Reason::no_frame, true};
+  FakeEstimate coast(Timestamp t, tracker::Reason why) noexcept {
+    return ++coasts, FakeEstimate{0, t, tracker::TrackingStatus::coasting, why, true};
   }
 };
 

@@ -42,6 +42,7 @@ inline wire::EstimateMessage random_estimate(Random& random, std::size_t num_joi
   fill(m.joints, num_joints, random);
   fill(m.velocity, 6 + num_joints, random);
   fill(m.covariance, wire::triangle_size(6 + num_joints), random);
+  for (double& x : m.covariance) x = std::abs(x);  // variances are among them
   for (std::size_t i = 0; i < 6 + num_joints; ++i) {
     (void)m.observability.push_back(static_cast<tracker::Observability>(whole(3)));
   }

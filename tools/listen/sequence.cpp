@@ -5,20 +5,23 @@
 namespace articam::listen {
 
 bool Sequence::take(std::uint32_t number) {
-  if (!any_) {
-    any_ = true;
-    first_ = newest_ = number;
-  } else if (number > newest_) {
+  const auto ahead = static_cast<std::int32_t>(number - newest_);  // the number may wrap round
+  const std::uint32_t behind = newest_ - number;
+  if (sent_ == 0) {
+    newest_ = number;
+    sent_ = 1;
+  } else if (ahead > 0) {
     // The places of the numbers skipped still tell of numbers kMemory before them.
-    const std::uint32_t skipped = std::min(number - newest_ - 1, kMemory - 1);
+    const std::uint32_t skipped = std::min(static_cast<std::uint32_t>(ahead) - 1, kMemory - 1);
     for (std::uint32_t i = 1; i <= skipped; ++i) heard_.reset((number - i) % kMemory);
     newest_ = number;
-  } else if (newest_ - number >= kMemory || heard_.test(number % kMemory)) {
+    sent_ += static_cast<std::uint64_t>(ahead);
+  } else if (behind >= kMemory || heard_.test(number % kMemory)) {
     ++counts_.duplicates;
     return false;
   } else {
     ++counts_.reordered;
-    first_ = std::min(first_, number);
+    sent_ = std::max(sent_, std::uint64_t{behind} + 1);
   }
   heard_.set(number % kMemory);
   ++counts_.received;
@@ -27,7 +30,7 @@ bool Sequence::take(std::uint32_t number) {
 
 Counts Sequence::counts() const {
   Counts counts = counts_;
-  if (any_) counts.lost = std::uint64_t{newest_} - first_ + 1 - counts.received;
+  counts.lost = sent_ - counts.received;
   return counts;
 }
 

@@ -20,6 +20,7 @@ struct Counts {
   }
 };
 
+/// Numbers wrap round; of two, the one less than half the circle ahead is the later.
 class Sequence {
  public:
   static constexpr std::uint32_t kMemory = 1024;  ///< numbers: at 120 Hz more than 8 s late is too late
@@ -30,8 +31,8 @@ class Sequence {
   Counts counts() const;
 
  private:
-  bool any_{};
-  std::uint32_t first_{}, newest_{};
+  std::uint64_t sent_{};  ///< from the first heard to the newest; 0 before any
+  std::uint32_t newest_{};
   Counts counts_{};  ///< lost is not kept
   std::bitset<kMemory> heard_;
 };

@@ -25,7 +25,8 @@ namespace articam::app {
 template <class Camera>
 std::string why_no_camera(const BoardOptions& options, Status status, const Camera& camera) {
   const std::string why{camera.problem()};
-  return fmt::format("the camera {} does not start: {}", options.device, why.empty() ? std::string{name(status)} : why);
+  return fmt::format("the camera{}{} does not start: {}", options.device.empty() ? "" : " ", options.device,
+                     why.empty() ? std::string{name(status)} : why);
 }
 
 inline std::chrono::microseconds frame_period(const BoardOptions& options) {
@@ -44,7 +45,12 @@ std::string with_real_camera(const BoardOptions& options, Camera& camera, Job&& 
   hal::SupervisedCamera supervised{camera, clock, {.period = frame_period(options)}};
   if (const Status status = supervised.start(); status != Status::ok) return why_no_camera(options, status, camera);
   fmt::print(stderr, "camera  {}\n", camera.description());
-  return job(supervised);
+  const std::string problem = job(supervised);
+  const auto [restarts, failed_attempts] = supervised.counts();
+  if (!options.quiet && restarts + failed_attempts > 0) {
+    fmt::print(stderr, "camera  started anew {} times, after {} attempts that failed\n", restarts, failed_attempts);
+  }
+  return problem;
 }
 
 /// Calls `job(camera)` with the camera of the options, started. Returns what went wrong, or nothing.
@@ -75,10 +81,11 @@ std::string with_camera(const BoardOptions& options, const CameraParameters& par
   chosen.period = frame_period(options);
   chosen.exposure = exposure_of(options);
   chosen.gain = options.gain;
+  if (options.stamps_readout) chosen.stamp = hal::StampMarks::readout_start;
   hal::LibcameraCamera camera{chosen};
   return with_real_camera(options, camera, job);
 #else
-  return "this program was built without libcamera: use --camera v4l2:DEV or replay:DIR";
+  return "the camera does not start: this program was built without libcamera; use --camera v4l2:DEV or replay:DIR";
 #endif
 }
 

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/config.hpp"
@@ -24,7 +26,7 @@
 
 namespace articam::app {
 
-/// Set by SIGTERM and SIGINT; the loop ends with the tick that it is in.
+/// Set by SIGTERM, SIGINT and SIGHUP; the loop ends with the tick that it is in.
 extern volatile std::sig_atomic_t g_stop_asked;
 void stop_on_signals();
 

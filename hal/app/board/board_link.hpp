@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,11 +35,11 @@ class BoardLink<tracker::Estimate<Model, S>> {
       hal::put_csv_header<Model>(line_);
       return write_line() == Status::ok ? std::string{} : "standard output cannot be written";
     }
-    wire::Address address;
-    if (const auto wrong = wire::parse_address(options.link, address); !wrong.empty()) {
-      return "--link " + options.link + ": " + std::string(wrong);
+    errno = 0;
+    if (carrier_.open(options.address) != Status::ok) {
+      return "--link " + options.link + ": cannot be opened" +
+             (errno != 0 ? std::string(": ") + std::strerror(errno) : "");
     }
-    if (carrier_.open(address) != Status::ok) return "--link " + options.link + ": cannot be opened";
     if (!options.key_file.empty()) {
       if (auto problem = open_signer(options); !problem.empty()) return problem;
     }

@@ -46,13 +46,20 @@ void declare_camera(CLI::App& app, BoardOptions& options) {
   app.add_option("--exposure-us", options.exposure_us, "exposure time, microseconds (default: automatic)")
       ->check(CLI::Range(1.0, 1e6));
   app.add_option("--gain", options.gain, "sensor gain; v4l2: in the device's own units (default: automatic)")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->check(CLI::Range(0.0, 65535.0));
+  app.add_option(
+         "--stamp", options.stamps_readout,
+         "what libcamera's time stamp marks: exposure, or readout (cameras on CSI whose driver stamps the first "
+         "row when it arrives)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"exposure", false}, {"readout", true}}))
+      ->option_text("exposure|readout");
   app.add_option("--frames", options.num_frames, "stop after so many frames (0: never)");
 }
 
 void declare_link(CLI::App& app, BoardOptions& options) {
   app.add_option("--link", options.link,
-                 "udp://HOST[:PORT], a multicast group likewise, serial://DEV[?baud=N], or stdout")
+                 "udp://HOST[:PORT], a multicast group likewise, serial://DEV[?baud=N], or stdout (to try out: the "
+                 "loop waits for its reader)")
       ->capture_default_str();
   auto* const key = app.add_option("--key", options.key_file, "authenticate packets with this key (32 bytes)");
   auto* const counter =
@@ -88,6 +95,15 @@ void declare_recording(CLI::App& app, BoardOptions& options) {
       ->check(CLI::Range(0.1, 3600.0));
 }
 
+/// What is wrong with options that are right one by one, or nothing.
+std::string read_link(BoardOptions& options) {
+  if (options.link == "stdout") {
+    return options.key_file.empty() ? std::string{} : "--key authenticates packets, and --link stdout sends none";
+  }
+  const auto wrong = wire::parse_address(options.link, options.address);
+  return wrong.empty() ? std::string{} : "--link " + options.link + ": " + std::string(wrong);
+}
+
 }  // namespace
 
 std::variant<BoardOptions, int> read_board_options(const BoardTitle& title, int argc, char** argv) {
@@ -106,6 +122,10 @@ std::variant<BoardOptions, int> read_board_options(const BoardTitle& title, int 
     app.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
     return app.exit(stop) == 0 ? 0 : 2;
+  }
+  if (const std::string wrong = read_link(options); !wrong.empty()) {
+    fmt::print(stderr, "{}\nRun with --help for more information.\n", wrong);
+    return 2;
   }
   return options;
 }

@@ -18,9 +18,11 @@ struct BoardOptions {
   std::string device;  ///< id of libcamera's camera (empty: the first), device file, or folder of frames
   double rate_hz{30};
   std::optional<double> exposure_us, gain;  ///< none: automatic
+  bool stamps_readout{};                    ///< libcamera's time stamp marks the begin of readout, not of exposure
   std::uint64_t num_frames{};               ///< then stop; 0: never
 
   std::string link{wire::kDefaultAddress};  ///< or "stdout"
+  wire::Address address;                    ///< the same, parsed
   std::string key_file, counter_file;       ///< of authentication; empty: none
 
   int priority{50};        ///< SCHED_FIFO; 0: none

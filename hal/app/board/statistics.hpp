@@ -22,8 +22,7 @@ struct LoopWindow {
   double period_sum_s{}, period_square_sum_s2{}, period_min_s{}, period_max_s{};  ///< from tick to tick
   std::uint64_t estimates{};                                                      ///< ticks with a frame
   double age_sum_s{}, age_max_s{};                                                ///< mid-exposure to link
-  std::uint64_t unsent{};
-  hal::Counters counters{};  ///< since the start
+  hal::Counters counters{};                                                       ///< since the start
   tracker::TrackingStatus status{};
   tracker::Reason reason{};
 };

@@ -78,6 +78,19 @@ TEST_F(CounterFile, APowerLossAtAnyByteLeavesTheOldNumber) {
   EXPECT_FALSE(fs::exists(path_ + ".part"));
 }
 
+TEST_F(CounterFile, WritesThroughNoLinkThatStandsInItsWay) {
+  const std::string part = path_ + ".part", victim = (folder_ / "victim").string();
+  put(victim, "untouched");
+  for (const bool symbolic : {true, false}) {
+    symbolic ? fs::create_symlink(victim, part) : fs::create_hard_link(victim, part);
+    ASSERT_EQ(hal::CounterFile{path_}.write(5), Status::ok);
+    EXPECT_EQ(number(), 5u);
+    std::string all;
+    std::getline(std::ifstream{victim}, all);
+    EXPECT_EQ(all, "untouched");
+  }
+}
+
 TEST_F(CounterFile, ADiskThatIsFullAtAnyByteLeavesTheOldNumberAndGivesNoNewOne) {
   ASSERT_EQ(hal::CounterFile{path_}.write(1000), Status::ok);
   const auto size = fs::file_size(path_);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -47,6 +48,18 @@ TEST_F(Key, IsExactly32BytesThatOnlyTheOwnerCanRead) {
     EXPECT_EQ(load(file_of(std::string(32, 'k'), fs::perms::owner_read | others)), Status::bad_argument);
     EXPECT_NE(problem_.find("chmod 600"), std::string::npos) << problem_;
   }
+}
+
+TEST_F(Key, MayShowAnyModeInTheFolderOfTheServicesCredentialsAndOnlyThere) {
+  const auto path = [&] { return file_of(std::string(32, 'k'), fs::perms::owner_read | fs::perms::group_read); };
+  ::setenv("CREDENTIALS_DIRECTORY", folder_.c_str(), 1);
+  EXPECT_EQ(load(path()), Status::ok) << problem_;
+  EXPECT_EQ(load(file_of("short")), Status::bad_argument);
+  for (const char* const elsewhere : {"", "/", "/run/credentials"}) {
+    ::setenv("CREDENTIALS_DIRECTORY", elsewhere, 1);
+    EXPECT_EQ(load(path()), Status::bad_argument) << elsewhere;
+  }
+  ::unsetenv("CREDENTIALS_DIRECTORY");
 }
 
 TEST_F(Key, IsAPlainFileThatExists) {

@@ -145,6 +145,18 @@ TEST_F(LibcameraCamera, GivesOutTheMiddleOfTheExposureWhicheverEndTheStampMarks)
   }
 }
 
+TEST_F(LibcameraCamera, TakesTheExposureThatWasAskedForWhereTheCameraDoesNotTellIt) {
+  make({.exposure = 4000us});
+  device->abilities.exposure_us = {100, 30000};
+  std::int64_t stamp_ns = 0;
+  const auto stamp = [&](hal::CompletedBuffer& b) { stamp_ns = b.stamp.ns -= 10'000'000, b.exposure_ns = 0; };
+  ASSERT_EQ(camera->start(), Status::ok) << camera->problem();
+  ASSERT_TRUE(device->complete(1, stamp));
+  ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
+  EXPECT_EQ(frame.t_exposure.ns - stamp_ns, 2'000'000);
+  camera->release(frame);
+}
+
 TEST_F(LibcameraCamera, NeverDatesAFrameIntoTheFuture) {
   ASSERT_EQ(camera->start(), Status::ok);
   ASSERT_TRUE(device->complete(1, [](auto& b) { b.exposure_ns = 900'000'000; }));  // stamped now

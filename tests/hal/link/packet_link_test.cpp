@@ -65,6 +65,7 @@ tracker::Estimate<M, S> random_estimate(test::Random& random) {
   e.qdot = random.vector<S, 8>(-1, 1);
   for (int i = 0; i < 8; ++i) e.covariance.col(i) = random.vector<S, 8>(-1, 1);
   e.covariance = (e.covariance + e.covariance.transpose()).eval();
+  e.covariance.diagonal() = e.covariance.diagonal().cwiseAbs().eval();
   e.observability[7] = tracker::Observability::weak;
   return e;
 }
@@ -165,7 +166,7 @@ TEST(PacketLink, SaysSoWhenAnEstimateDoesNotGoOutAndItsNumberIsMissingThen) {
   EXPECT_EQ(ear.estimate.number, 2u);
 }
 
-TEST(PacketLink, NeverSendsANumberThatIsNotFinite) {
+TEST(PacketLink, SendsAFaultWithoutNumbersInPlaceOfANumberThatIsNotFinite) {
   Ear ear;
   hal::ManualClock clock;
   clock.set({2'000'000'000});
@@ -174,7 +175,13 @@ TEST(PacketLink, NeverSendsANumberThatIsNotFinite) {
   auto e = random_estimate<double>(random);
   e.covariance(3, 5) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(link.publish(e), Status::bad_argument);
-  EXPECT_EQ(ear.estimates, 0);
+  EXPECT_EQ(ear.estimates, 1);
+  EXPECT_EQ(ear.estimate.frame, e.frame);
+  EXPECT_FALSE(ear.estimate.valid);
+  EXPECT_EQ(ear.estimate.status, tracker::TrackingStatus::fault);
+  EXPECT_TRUE(ear.estimate.t_cam_obj.empty() && ear.estimate.joints.empty() && ear.estimate.covariance.empty());
+  ear.deaf = true;
+  EXPECT_EQ(link.publish(e), Status::io_error);
 }
 
 TEST(PacketLink, PublishingDoesNotTouchTheHeap) {

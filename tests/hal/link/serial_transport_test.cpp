@@ -4,14 +4,31 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <cstdarg>
 #include <string>
 #include <vector>
 
 #include "hal/link/packet_link.hpp"
 #include "tests/support/random_state.hpp"
+
+namespace {
+int bytes_in_queue = -1;  ///< what TIOCOUTQ answers; -1: the system's word. A pseudo terminal always says 0.
+}
+
+/// Stands before the system's.
+extern "C" int ioctl(int descriptor, unsigned long request, ...) noexcept {
+  std::va_list rest;
+  va_start(rest, request);
+  void* const argument = va_arg(rest, void*);
+  va_end(rest);
+  if (request == TIOCOUTQ && bytes_in_queue >= 0) return *static_cast<int*>(argument) = bytes_in_queue, 0;
+  return static_cast<int>(::syscall(SYS_ioctl, descriptor, request, argument));
+}
 
 namespace articam {
 namespace {
@@ -112,6 +129,25 @@ TEST_F(SerialTransport, AFullLineDropsWholePacketsAndTearsNone) {
   EXPECT_EQ(transport.counters().dropped, static_cast<std::uint64_t>(dropped));
   EXPECT_EQ(frames(heard), accepted) << "seed 31";
   EXPECT_EQ(broken_, 0);
+}
+
+TEST_F(SerialTransport, DropsTheNewestWhileMoreThanOnePacketWaitsInTheSystemsQueue) {
+  hal::SerialTransport transport;
+  ASSERT_EQ(transport.open(address_), Status::ok);
+  const Bytes packet(100, 1);
+  const int frame = static_cast<int>(1 + wire::cobs_frame_size(packet.size()));
+  const auto send_behind = [&](int bytes) {
+    bytes_in_queue = bytes;
+    const Status status = transport.send(packet);
+    bytes_in_queue = -1;
+    return status;
+  };
+  EXPECT_EQ(send_behind(0), Status::ok);
+  EXPECT_EQ(send_behind(frame), Status::ok);
+  EXPECT_EQ(send_behind(frame + 1), Status::io_error);
+  EXPECT_EQ(send_behind(frame), Status::ok);
+  EXPECT_EQ(transport.counters().dropped, 1u);
+  EXPECT_EQ(frames(drain()).size(), 3u);
 }
 
 TEST_F(SerialTransport, ALineThatIsGoneIsAnErrorAtEveryPacketAndNothingWorse) {

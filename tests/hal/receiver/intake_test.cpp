@@ -121,6 +121,16 @@ TEST_F(IntakeTest, ASoundPacketWithNumbersThatAreNotFiniteIsRefused) {
   EXPECT_EQ(counters().faults[static_cast<std::size_t>(Fault::inconsistent)], 1u);
 }
 
+TEST_F(IntakeTest, OnceAnEstimateHasComeOnlyTheModelOfItsSessionIsTaken) {
+  test::Random random{1};
+  wire::ModelMessage model = test::random_model(random);
+  ASSERT_EQ(take({1}, 5), "+");
+  for (const std::uint64_t session : {4u, 5u, 6u}) {
+    model.session = session;
+    EXPECT_EQ(intake_.take(test::packet_of(model), now_), session == 5 ? Taken::model : Taken::nothing);
+  }
+}
+
 TEST_F(IntakeTest, NamesOfTheModelAreTakenBesideTheEstimates) {
   test::Random random{1};
   EXPECT_EQ(intake_.take(test::packet_of(test::random_model(random)), now_), Taken::model);

@@ -3,10 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <arpa/inet.h>
+#include <sched.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "hal/wire/message_reader.hpp"
@@ -199,6 +206,46 @@ TEST_F(ReceiverTest, SaysWhyItCannotStart) {
   options_.address = "udp://127.0.0.1", options_.horizon_s = -1;
   EXPECT_EQ(receiver_.start(options_), Status::bad_argument);
   EXPECT_NE(receiver_.problem().find("horizon"), std::string::npos) << receiver_.problem();
+}
+
+/// The numbers of this program's threads.
+std::set<int> threads() {
+  std::set<int> all;
+  for (const auto& entry : std::filesystem::directory_iterator{"/proc/self/task"}) {
+    all.insert(std::stoi(entry.path().filename().string()));
+  }
+  return all;
+}
+
+/// Those that a thread blocks; signal 1 is the lowest bit.
+std::uint64_t blocked_signals(int thread) {
+  std::ifstream status{"/proc/self/task/" + std::to_string(thread) + "/status"};
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("SigBlk:")) return std::stoull(line.substr(7), nullptr, 16);
+  }
+  return 0;
+}
+
+TEST_F(ReceiverTest, ItsThreadTakesNoSignalAndNoRealTimePriorityFromItsCreator) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "this system does not tell of its threads";
+  const std::set<int> before = threads();
+  const std::uint64_t ours = blocked_signals(::getpid());
+  const sched_param lowest{.sched_priority = 1}, none{};
+  const bool real_time = ::sched_setscheduler(0, SCHED_FIFO, &lowest) == 0;
+  start();
+  ASSERT_EQ(::sched_setscheduler(0, SCHED_OTHER, &none), 0);
+  int receivers = 0;
+  for (const int thread : threads()) {
+    if (before.contains(thread)) continue;
+    ++receivers;
+    EXPECT_TRUE(comes([&] { return ::sched_getscheduler(thread) == SCHED_OTHER; }));
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGUSR1, SIGALRM, SIGCHLD, SIGRTMIN}) {
+      EXPECT_EQ(blocked_signals(thread) >> (signal - 1) & 1, 1u) << "signal " << signal;
+    }
+  }
+  EXPECT_EQ(receivers, 1);
+  EXPECT_EQ(blocked_signals(::getpid()), ours) << "the creator has its own back";
+  RecordProperty("creator_was_real_time", real_time ? 1 : 0);
 }
 
 TEST_F(ReceiverTest, CanBeStoppedAndStartedAgain) {

@@ -55,6 +55,18 @@ TEST(MessageCheck, FindsListsThatDoNotFitTogether) {
   EXPECT_EQ(after([](auto& m) { m.t_base_obj.clear(); }), Fault::none) << "where the camera stands may be unknown";
 }
 
+TEST(MessageCheck, FindsANegativeVarianceAndLeavesCovariancesTheirSign) {
+  std::size_t refused = 0;
+  for (std::size_t k = 0; k < wire::triangle_size(8); ++k) {
+    refused += after([&](auto& m) { m.covariance[k] = -1e-9; }) == Fault::inconsistent ? 1u : 0u;
+  }
+  EXPECT_EQ(refused, 8u) << "one for each degree of freedom";
+  for (const std::size_t diagonal : {0u, 8u, 15u, 21u, 26u, 30u, 33u, 35u}) {
+    EXPECT_EQ(after([&](auto& m) { m.covariance[diagonal] = -1e-9; }), Fault::inconsistent);
+    EXPECT_EQ(after([&](auto& m) { m.covariance[diagonal] = 0; }), Fault::none);
+  }
+}
+
 TEST(MessageCheck, FindsNumbersWhereThereIsNoEstimate) {
   EXPECT_EQ(after([](auto& m) { m.valid = false; }), Fault::inconsistent);
 }
@@ -69,6 +81,21 @@ TEST(MessageCheck, FindsAQuaternionThatIsNone) {
 
 TEST(MessageCheck, FindsAnEstimateSentBeforeItWasSeen) {
   EXPECT_EQ(after([](auto& m) { m.t_send.ns = m.t_capture.ns - 1; }), Fault::inconsistent);
+}
+
+TEST(MessageCheck, FindsNamesThatWouldUpsetATerminalOrATable) {
+  test::Random random{7};
+  const wire::ModelMessage good_model = test::random_model(random);
+  for (const char* const name : {"", "a,b", "a\"b", "a\nb", "\033[2J", "a\177"}) {
+    wire::ModelMessage m = good_model;
+    m.name = test::text_of(name);
+    EXPECT_EQ(wire::check(m), Fault::inconsistent) << name;
+    m = good_model, m.joint_names[1] = test::text_of(name);
+    EXPECT_EQ(wire::check(m), Fault::inconsistent) << name;
+  }
+  wire::ModelMessage m = good_model;
+  m.joint_names[0] = test::text_of("t\u00fcr 1");
+  EXPECT_EQ(wire::check(m), Fault::none);
 }
 
 TEST(MessageCheck, FindsAModelWithARateOrAPoseThatIsNone) {

@@ -26,6 +26,23 @@ TEST(Sequence, CountsGapsDuplicatesAndLateOnes) {
   EXPECT_EQ(hear({8, 7}).received, 2u) << "overtaken before anything was heard";
 }
 
+TEST(Sequence, GoesOnWhereTheNumbersWrapRound) {
+  constexpr std::uint32_t kMax = 0xffff'ffff;
+  const Counts counts = hear({kMax - 1, kMax, 0, 3, 1, kMax});
+  EXPECT_EQ(counts.received, 5u);
+  EXPECT_EQ(counts.lost, 1u) << "2";
+  EXPECT_EQ(counts.reordered, 1u);
+  EXPECT_EQ(counts.duplicates, 1u);
+}
+
+TEST(Sequence, IsNotLedAstrayByTheLargestNumber) {
+  Sequence sequence;
+  sequence.take(5000);
+  EXPECT_FALSE(sequence.take(0xffff'ffff));
+  EXPECT_TRUE(sequence.take(5001));
+  EXPECT_EQ(sequence.counts().lost, 0u);
+}
+
 TEST(Sequence, HoldsReceivedAndLostTogetherToWhatWasSent) {
   test::Random random{5};
   std::set<std::uint32_t> heard;
@@ -36,7 +53,7 @@ TEST(Sequence, HoldsReceivedAndLostTogetherToWhatWasSent) {
   heard.insert(newest);
   for (int i = 0; i < 20000; ++i) {
     const auto number = static_cast<std::uint32_t>(
-        std::max(100.0, static_cast<double>(newest) + random.uniform(-Sequence::kMemory + 1.0, 30)));
+        std::max(100.0, static_cast<double>(newest) + random.uniform(1.0 - Sequence::kMemory, 30)));
     if (number <= newest && newest - number >= Sequence::kMemory) continue;  // that is the next test
     const bool is_new = heard.insert(number).second;
     ASSERT_EQ(sequence.take(number), is_new) << "seed 5, packet " << i;

@@ -50,10 +50,15 @@ TEST(BoardOptions, KnowTheThreeKindsOfCamera) {
 
 TEST(BoardOptions, RefuseWhatTheyDoNotKnowAsWrongUsage) {
   for (const char* const word :
-       {"--camera=usb", "--camera=v4l2", "--camera=replay:", "--rate=0", "--priority=100", "--cpu=-1", "--gain=0",
-        "--frames=many", "--frequency=30", "--key=k", "--counter=c", "--record-frames=f", "--record-mb=0", "stray"}) {
+       {"--camera=usb", "--camera=v4l2", "--camera=replay:", "--rate=0", "--priority=100", "--cpu=-1", "--gain=-1",
+        "--stamp=noon", "--link=carrier-pigeon://roof", "--frames=many", "--frequency=30", "--key=k", "--counter=c",
+        "--record-frames=f", "--record-mb=0", "stray"}) {
     EXPECT_EQ(exit_code({word}), 2) << word;
   }
+}
+
+TEST(BoardOptions, RefuseAKeyWhereNoPacketIsSent) {
+  EXPECT_EQ(exit_code({"--link=stdout", "--key=k", "--counter=c"}), 2);
 }
 
 TEST(BoardOptions, TeachAndName) {
