@@ -11,11 +11,12 @@ case ${1-} in
 Usage: tools/chroot_check.sh [SUITE]
 
 Makes a minimal Debian (default bookworm) or Ubuntu in a temporary folder with debootstrap, puts the files of
-this checkout into it, and runs tools/test.sh and tools/demo.sh there, unattended. The packages come from
-where this machine has them for that suite. Needs root, debootstrap, git and about 4 GB under TMPDIR; takes
-half an hour on two cores. The output is also kept in out/chroot_check.log.
+this checkout into it, and runs there, unattended: tools/test.sh and tools/demo.sh, then tools/setup_cross.sh for
+aarch64 and cortex-m7 and the tests again, those of the boards included. The packages come from where this machine has
+them for that suite. Needs root, debootstrap, git and about 6 GB under TMPDIR; takes three quarters of an hour on two
+cores. The output is also kept in out/chroot_check.log.
 
-Exit codes: 0 both scripts passed, 1 one of them failed, 2 wrong usage.
+Exit codes: 0 all of it passed, 1 some of it failed, 2 wrong usage.
 END
     case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
     ;;
@@ -56,9 +57,10 @@ git -c safe.directory="$PWD" ls-files -z --cached --others --exclude-standard |
   tar --create --null --files-from=- --ignore-failed-read | tar --extract --no-same-owner --directory "$root/articam"
 
 failed=0
-for script in tools/test.sh tools/demo.sh tools/demo.sh; do
-  phase "$script"
-  inside "/articam/$script" </dev/null || { failed=1; echo "$script failed"; }
+for job in tools/test.sh tools/demo.sh tools/demo.sh "tools/setup_cross.sh aarch64 cortex-m7" tools/test.sh; do
+  phase "$job"
+  read -ra words <<<"$job"
+  inside "/articam/${words[0]}" "${words[@]:1}" </dev/null || { failed=1; echo "$job failed"; }
 done
 phase "done"
 exit "$failed"

@@ -91,6 +91,10 @@ int main(int argc, char** argv) {
       ->option_text("default|paper");
   auto* output_option = app.add_option("-o,--output", options.output, "estimates.csv to write");
   app.add_option("--overlay", options.overlay_folder, "also draw every frame with its marks into this folder (PNG)");
+  for (const char* const other :
+       {"--camera", "--frames", "--repeat", "--max-frames", "--fps", "--q0", "--mode", "--overlay"}) {
+    recording_option->excludes(app.get_option(other));  // all of that is in the recording
+  }
   try {
     app.parse(argc, argv);
     if (!list) {

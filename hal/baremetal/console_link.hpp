@@ -9,7 +9,7 @@ namespace articam::hal {
 
 /// `frame 12 tracking none matched 6 t_um 20000 80000 700000 joints_u 53000 120000`: the base's position in micrometres
 /// and the joints in micrometres or microradians, so that no library has to print a float. It stands for a UART or a
-/// network interface: a real one encodes the estimate with hal/wire.
+/// network interface: a real one sends the packets of hal/wire, as hal/link does.
 template <class Estimate>
 class ConsoleLink {
  public:

@@ -91,6 +91,10 @@ TEST_F(Board, TellsAnotherModelsRecordingFromItsOwn) {
   EXPECT_EQ(replay.exit_code, 1);
   EXPECT_NE(replay.text.find("another model, 'printer_drawer'"), std::string::npos) << replay.text;
   EXPECT_FALSE(fs::exists(folder_ / "replay.csv"));
+  const Ended both = articam::test::run("cd " + folder_.string() +
+                                        " && " ARTICAM_BIN
+                                        "/articam-replay printer_drawer --recording run.rec --fps 30 -o replay.csv");
+  EXPECT_EQ(both.exit_code, 2) << "what the recording says is not to be said otherwise";
 }
 
 TEST_F(Board, SaysWhatItDidAndThatItsMemoryStoodStill) {
