@@ -27,8 +27,8 @@ struct MarkerPlace {
 
 template <class M, class S>
 struct Kinematics {
-  std::array<Pose<S>, static_cast<std::size_t>(kNumJoints<M>)> T_obj_body{};
-  std::array<Twist<S>, static_cast<std::size_t>(kNumJoints<M>)> joint_twist{};  ///< {obj}, at its origin
+  std::array<Pose<S>, static_cast<std::size_t>(kNumBodies<M>)> T_obj_body{};
+  std::array<Twist<S>, static_cast<std::size_t>(kNumBodies<M>)> joint_twist{};  ///< of each row, {obj}, at its origin
   std::array<MarkerPlace<S>, static_cast<std::size_t>(kNumMarkers<M>)> markers{};
 };
 
@@ -55,7 +55,7 @@ Pose<S> displacement(const JointRow& row, S q) noexcept {
 template <class M>
 constexpr auto joints_above() {
   std::array<std::array<bool, M::kJoints.size() + 1>, M::kJoints.size() + 1> above{};
-  for (int body = 0; body < kNumJoints<M>; ++body) {
+  for (int body = 0; body < kNumBodies<M>; ++body) {
     for (int joint = body; joint >= 0; joint = M::kJoints[static_cast<std::size_t>(joint)].parent) {
       above[static_cast<std::size_t>(joint)][static_cast<std::size_t>(body + 1)] = true;
     }
@@ -65,15 +65,23 @@ constexpr auto joints_above() {
 template <class M>
 inline constexpr auto kMoves = joints_above<M>();
 
+/// Where the joint of a row stands.
+template <class M, class S>
+S joint_position(std::size_t row, const Vec<S, kNumJoints<M>>& joints) noexcept {
+  const S value = joints[static_cast<Eigen::Index>(kValueOfRow<M>[row])];
+  const JointRow& joint = M::kJoints[row];
+  return joint.leader < 0 ? value : static_cast<S>(joint.ratio) * value + static_cast<S>(joint.offset);
+}
+
 }  // namespace detail
 
-/// Whether a joint moves the markers of a body (-1: the root, which no joint moves).
+/// Whether the joint of a row moves the markers of a body (-1: the root, which no joint moves).
 template <class M>
 constexpr bool moves(int joint, int body) noexcept {
   return detail::kMoves<M>[static_cast<std::size_t>(joint)][static_cast<std::size_t>(body + 1)];
 }
 
-/// Joint values (rad or m, in the table's order) -> kinematics in {obj}. Cannot fail; values beyond the
+/// Joint values (rad or m, in the order of kValueRows) -> kinematics in {obj}. Cannot fail; values beyond the
 /// limits are taken as they are.
 template <class M, class S>
 Kinematics<M, S> forward_kinematics(const Vec<S, kNumJoints<M>>& joints) noexcept {
@@ -86,14 +94,14 @@ Kinematics<M, S> forward_kinematics(const Vec<S, kNumJoints<M>>& joints) noexcep
     const Vec<S, 3> axis = T_obj_joint.R * detail::to_vec<S>(row.axis);
     k.joint_twist[j] = row.kind == JointKind::prismatic ? Twist<S>{axis, Vec<S, 3>::Zero()}
                                                         : Twist<S>{T_obj_joint.t.cross(axis), axis};
-    k.T_obj_body[j] = T_obj_joint * detail::displacement<S>(row, joints[static_cast<Eigen::Index>(j)]);
+    k.T_obj_body[j] = T_obj_joint * detail::displacement<S>(row, detail::joint_position<M, S>(j, joints));
   }
   for (std::size_t m = 0; m < M::kMarkers.size(); ++m) {
     const MarkerRow& row = M::kMarkers[m];
     const Vec<S, 3> t = detail::to_vec<S>(row.t_body_m);
     const Vec<S, 3> n = detail::to_vec<S>(row.normal);
     k.markers[m] = {t, n};
-    if constexpr (kNumJoints < M >> 0) {
+    if constexpr (kNumBodies < M >> 0) {
       if (row.body < 0) continue;
       const Pose<S>& T_obj_body = k.T_obj_body[static_cast<std::size_t>(row.body)];
       k.markers[m] = {T_obj_body * t, T_obj_body.R * n};

@@ -19,12 +19,14 @@ Mat<S, 6, kDof<M>> point_jacobian(const Kinematics<M, S>& kinematics, const Pose
   J.template block<3, 3>(0, 0).setIdentity();
   J.template block<3, 3>(0, 3) = math::hat<S>(T_cam_obj.t);  // v_0 = t x omega: the base turns about {obj}
   J.template block<3, 3>(3, 3).setIdentity();
-  for (int j = 0; j < kNumJoints<M>; ++j) {
-    if (!moves<M>(j, body)) continue;
-    const Twist<S>& twist = kinematics.joint_twist[static_cast<std::size_t>(j)];
+  for (int row = 0; row < kNumBodies<M>; ++row) {
+    if (!moves<M>(row, body)) continue;
+    const Twist<S>& twist = kinematics.joint_twist[static_cast<std::size_t>(row)];
+    const S ratio = static_cast<S>(M::kJoints[static_cast<std::size_t>(row)].ratio);
     const Vec<S, 3> omega = T_cam_obj.R * twist.angular;
-    J.template block<3, 1>(0, 6 + j) = T_cam_obj.R * twist.linear + T_cam_obj.t.cross(omega);
-    J.template block<3, 1>(3, 6 + j) = omega;
+    const int column = 6 + kValueOfRow<M>[static_cast<std::size_t>(row)];
+    J.template block<3, 1>(0, column) += ratio * (T_cam_obj.R * twist.linear + T_cam_obj.t.cross(omega));
+    J.template block<3, 1>(3, column) += ratio * omega;
   }
   return J;
 }

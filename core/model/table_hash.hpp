@@ -52,6 +52,9 @@ constexpr std::uint64_t table_hash() noexcept {
     hash.put(joint.r_parent_joint_wxyz);
     hash.put(joint.q_min);
     hash.put(joint.q_max);
+    hash.put(static_cast<std::uint64_t>(joint.leader + 1));
+    hash.put(joint.ratio);
+    hash.put(joint.offset);
   }
   for (const MarkerRow& marker : M::kMarkers) {
     hash.put(marker.name);

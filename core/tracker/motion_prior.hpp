@@ -94,7 +94,7 @@ class MotionPrior {
     spread.template head<3>().setConstant(static_cast<S>(base_m));
     spread.template segment<3>(3).setConstant(static_cast<S>(base_rad));
     for (int j = 0; j < model::kNumJoints<M>; ++j) {
-      const bool slides = M::kJoints[static_cast<std::size_t>(j)].kind == model::JointKind::prismatic;
+      const bool slides = model::kValueRows<M>[static_cast<std::size_t>(j)].kind == model::JointKind::prismatic;
       spread[6 + j] = static_cast<S>(slides ? slide_m : turn_rad);
     }
     return spread;
@@ -110,7 +110,7 @@ class MotionPrior {
   /// A prediction does not carry a joint beyond its limits.
   static Configuration within_limits(Configuration q) noexcept {
     for (int j = 0; j < model::kNumJoints<M>; ++j) {
-      const auto& row = M::kJoints[static_cast<std::size_t>(j)];
+      const auto& row = model::kValueRows<M>[static_cast<std::size_t>(j)];
       const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max);
       q.joints[j] = q.joints[j] < low ? low : (q.joints[j] > high ? high : q.joints[j]);
     }

@@ -101,7 +101,7 @@ class Replay {
 
   std::string summary() const {
     std::vector<std::string> joint_names;
-    for (const auto& joint : Model::kJoints) joint_names.emplace_back(joint.name);
+    for (const auto& joint : model::kValueRows<Model>) joint_names.emplace_back(joint.name);
     return summary_.text(joint_names, options_.rate_hz);
   }
 

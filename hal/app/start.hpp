@@ -23,10 +23,10 @@ std::string why_no_start(const std::vector<double>& numbers);
 template <class Model, class S>
 std::string set_start(tracker::Tracker<Model, S>& tracker, const std::optional<std::vector<double>>& numbers,
                       const std::string& text) {
-  constexpr std::size_t kNumbers = 7 + Model::kJoints.size();
+  constexpr std::size_t kNumbers = static_cast<std::size_t>(7 + model::kNumJoints<Model>);
   if (!numbers || numbers->size() != kNumbers) {
     return fmt::format("--q0 '{}': expected {} numbers: px py pz qw qx qy qz and {} joint value(s)", text, kNumbers,
-                       Model::kJoints.size());
+                       model::kNumJoints<Model>);
   }
   if (const auto problem = why_no_start(*numbers); !problem.empty()) return fmt::format("--q0 '{}': {}", text, problem);
   std::array<double, kNumbers> fixed{};

@@ -49,9 +49,9 @@ using CsvLine = LineBuffer<64 * static_cast<std::size_t>(24 + 4 * model::kNumJoi
 template <class Model>
 void put_csv_header(CsvLine<Model>& line) noexcept {
   line.put("frame,t_s,status,reason,px,py,pz,qw,qx,qy,qz");
-  for (const auto& joint : Model::kJoints) line.put(","), line.put(joint.name);
+  for (const auto& joint : model::kValueRows<Model>) line.put(","), line.put(joint.name);
   line.put(",std_px,std_py,std_pz,std_rx,std_ry,std_rz");
-  for (const auto& joint : Model::kJoints) line.put(",std_"), line.put(joint.name);
+  for (const auto& joint : model::kValueRows<Model>) line.put(",std_"), line.put(joint.name);
   line.put(",matched,rms_px");
 }
 

@@ -74,7 +74,7 @@ class ToMessage {
     wire::ModelMessage m;
     m.session = session_, m.model_hash = kHash;
     detail::put_text(m.name, Model::kName);
-    for (const model::JointRow& joint : Model::kJoints) {
+    for (const model::JointRow& joint : model::kValueRows<Model>) {
       wire::Text text;
       detail::put_text(text, joint.name);
       detail::put(m.joint_names, text);

@@ -24,7 +24,7 @@ RunRecord describe(const std::string& mode, const RenderOptions& rendering) {
   run.blur_px = rendering.blur_px;
   run.rest_s = Scenario::kRest_s;
   run.degrees_of_freedom = model::kDof<Model>;
-  for (const model::JointRow& joint : Model::kJoints) {
+  for (const model::JointRow& joint : model::kValueRows<Model>) {
     run.joint_names.emplace_back(joint.name);
     run.joint_is_length.push_back(joint.kind == model::JointKind::prismatic);
   }

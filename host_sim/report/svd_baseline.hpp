@@ -15,7 +15,7 @@ namespace articam::sim {
 /// The base by equation (7) from the base's marks. Each prismatic joint on its own, from its first mark seen: a joint
 /// below the base along its axis in F_o (the drawer: -z); a joint below another as the distance in {cam} of the two
 /// marks, beyond their distance in the table.
-/// Nothing where fewer than 3 marks of the base, or none of a joint, were seen, or where a joint turns.
+/// Nothing where fewer than 3 marks of the base, or none of a joint, were seen, or where a joint turns or mimics.
 template <class Model, class S>
 std::optional<PlainConfiguration> svd_baseline(const tracker::Matches<Model, S>& matches,
                                                const vision::Detections& detections,
@@ -25,7 +25,7 @@ std::optional<PlainConfiguration> svd_baseline(const tracker::Matches<Model, S>&
   struct Mark {
     Vec<double, 3> p_cam, p_obj_at_zero;
   };
-  std::array<std::optional<Mark>, static_cast<std::size_t>(model::kNumJoints<Model>)> first_mark;
+  std::array<std::optional<Mark>, static_cast<std::size_t>(model::kNumBodies<Model>)> first_mark;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].matched) continue;
     const model::MarkerRow& row = Model::kMarkers[i];
@@ -46,7 +46,7 @@ std::optional<PlainConfiguration> svd_baseline(const tracker::Matches<Model, S>&
   PlainConfiguration found{T_cam_obj.value(), {}};
   for (std::size_t j = 0; j < first_mark.size(); ++j) {
     const model::JointRow& joint = Model::kJoints[j];
-    if (joint.kind != model::JointKind::prismatic || !first_mark[j]) return std::nullopt;
+    if (joint.kind != model::JointKind::prismatic || joint.leader >= 0 || !first_mark[j]) return std::nullopt;
     const Mark& mark = *first_mark[j];
     if (joint.parent < 0) {
       const Vec<double, 3> way = T_cam_obj.value().inverse() * mark.p_cam - mark.p_obj_at_zero;

@@ -32,6 +32,6 @@ struct Mire {
   static constexpr std::array<double, 7> kQ0{-0.032, 0.07, 0.591, 0.902, -0.42, -0.06, -0.077};
   // clang-format on
 };
-static_assert(model::kTableSchema == 1, "table layout changed: regenerate");
+static_assert(model::kTableSchema == 2, "table layout changed: regenerate");
 static_assert(model::is_well_formed<Mire>());  // parents first, unit axes, ordered limits
 }  // namespace articam::models

@@ -36,6 +36,6 @@ struct MireDistance {
   static constexpr std::array<double, 8> kQ0{-0.032, 0.07, 0.591, 0.902, -0.42, -0.06, -0.077, 0.12};
   // clang-format on
 };
-static_assert(model::kTableSchema == 1, "table layout changed: regenerate");
+static_assert(model::kTableSchema == 2, "table layout changed: regenerate");
 static_assert(model::is_well_formed<MireDistance>());  // parents first, unit axes, ordered limits
 }  // namespace articam::models

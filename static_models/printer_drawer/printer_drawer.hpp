@@ -40,6 +40,6 @@ struct PrinterDrawer {
   static constexpr std::array<double, 9> kQ0{0, 0.1, 0.6, 1, 0, 0, 0, 0, 0.1};
   // clang-format on
 };
-static_assert(model::kTableSchema == 1, "table layout changed: regenerate");
+static_assert(model::kTableSchema == 2, "table layout changed: regenerate");
 static_assert(model::is_well_formed<PrinterDrawer>());  // parents first, unit axes, ordered limits
 }  // namespace articam::models

@@ -36,4 +36,16 @@ struct Arm {
 };
 static_assert(model::is_well_formed<Arm>());
 
+/// The same arm with gears: the lid leads the hinge, whose row comes before its own, and the knob below it.
+struct GearedArm : Arm {
+  static constexpr auto kJoints = [] {
+    auto rows = Arm::kJoints;
+    rows[0].leader = 3, rows[0].ratio = -0.5, rows[0].offset = 0.2;
+    rows[2].leader = 3, rows[2].ratio = 2;
+    return rows;
+  }();
+  static constexpr std::array<double, 9> kQ0{0, 0, 0, 1, 0, 0, 0, 0, 0};
+};
+static_assert(model::is_well_formed<GearedArm>());
+
 }  // namespace articam::test

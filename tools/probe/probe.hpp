@@ -10,6 +10,7 @@
 
 #include "core/math/types.hpp"
 #include "core/model/forward_kinematics.hpp"
+#include "core/model/point_jacobian.hpp"
 
 namespace articam::probe {
 
@@ -46,10 +47,12 @@ void print_block(const model::Kinematics<Model, double>& kinematics, std::FILE* 
     print(kinematics.markers[m].centre, out);
     print(kinematics.markers[m].normal, out);
     std::fputc('\n', out);
-    for (std::size_t j = 0; j < Model::kJoints.size(); ++j) {
-      const bool moved = model::moves<Model>(static_cast<int>(j), row.body);
-      const model::Twist<double> twist = moved ? kinematics.joint_twist[j] : model::Twist<double>{};
-      std::fprintf(out, "jac %s %s", name.c_str(), std::string(Model::kJoints[j].name).c_str());
+    // In {obj} itself: the base's own columns are not asked for.
+    const auto J = model::point_jacobian<Model, double>(kinematics, Pose<double>{}, row.body);
+    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
+      const auto& joint = model::kValueRows<Model>[static_cast<std::size_t>(j)];
+      const model::Twist<double> twist{J.template block<3, 1>(0, 6 + j), J.template block<3, 1>(3, 6 + j)};
+      std::fprintf(out, "jac %s %s", name.c_str(), std::string(joint.name).c_str());
       print(twist.velocity_of(kinematics.markers[m].centre), out);
       print(twist.angular, out);
       std::fputc('\n', out);
@@ -63,7 +66,7 @@ void print_block(const model::Kinematics<Model, double>& kinematics, std::FILE* 
 template <class Model>
 int run(std::istream& in, std::FILE* out, std::FILE* err) {
   std::fputs("joints", out);
-  for (const auto& joint : Model::kJoints) std::fprintf(out, " %s", std::string(joint.name).c_str());
+  for (const auto& joint : model::kValueRows<Model>) std::fprintf(out, " %s", std::string(joint.name).c_str());
   std::fputc('\n', out);
   std::fflush(out);
   std::string line;

@@ -76,6 +76,20 @@ TEST(ForwardKinematics, GivesTheTwistThatMovesTheMarkers) {
   }
 }
 
+TEST(ForwardKinematics, PutsAJointThatMimicsWhereItsLeaderSays) {
+  test::Random random{4};
+  for (int i = 0; i < 50; ++i) {
+    const Vec<double, 2> joints = random.vector<double, 2>(-2, 2);  // rod, lid
+    const double rod = joints[0], lid = joints[1];
+    const auto geared = model::forward_kinematics<test::GearedArm, double>(joints);
+    const auto plain = model::forward_kinematics<Arm, double>(Vec<double, 4>(-0.5 * lid + 0.2, rod, 2 * lid, lid));
+    for (std::size_t m = 0; m < Arm::kMarkers.size(); ++m) {
+      EXPECT_EQ(geared.markers[m].centre, plain.markers[m].centre) << Arm::kMarkers[m].name;
+      EXPECT_EQ(geared.markers[m].normal, plain.markers[m].normal) << Arm::kMarkers[m].name;
+    }
+  }
+}
+
 TEST(ForwardKinematics, KnowsWhichJointsStandAboveABody) {
   EXPECT_FALSE(model::moves<Arm>(0, -1));
   EXPECT_TRUE(model::moves<Arm>(0, 2) && model::moves<Arm>(1, 2) && model::moves<Arm>(2, 2));

@@ -11,7 +11,7 @@ namespace {
 
 template <class M>
 class PointJacobian : public testing::Test {};
-using Models = testing::Types<test::Arm, models::PrinterDrawer, models::Mire>;
+using Models = testing::Types<test::Arm, test::GearedArm, models::PrinterDrawer, models::Mire>;
 TYPED_TEST_SUITE(PointJacobian, Models);
 
 TYPED_TEST(PointJacobian, TimesQdotIsTheVelocityOfEveryMarkerInTheCamera) {

@@ -53,6 +53,9 @@ TEST(TableHash, ChangesWithEveryFieldOfEveryRow) {
       table_hash<Changed<[](JointRow& r) { r.r_parent_joint_wxyz[3] += 0.5; }>>(),
       table_hash<Changed<[](JointRow& r) { r.q_min -= 1; }>>(),
       table_hash<Changed<[](JointRow& r) { r.q_max += 1; }>>(),
+      table_hash<Changed<[](JointRow& r) { r.leader = 0; }>>(),
+      table_hash<Changed<[](JointRow& r) { r.ratio = 2; }>>(),
+      table_hash<Changed<[](JointRow& r) { r.offset = 0.1; }>>(),
       table_hash<ChangedMarker<[](MarkerRow& r) { r.name = "other"; }>>(),
       table_hash<ChangedMarker<[](MarkerRow& r) { r.kind = model::MarkerKind::dot_dark_on_light; }>>(),
       table_hash<ChangedMarker<[](MarkerRow& r) { r.body = -1 - r.body; }>>(),
@@ -60,7 +63,7 @@ TEST(TableHash, ChangesWithEveryFieldOfEveryRow) {
       table_hash<ChangedMarker<[](MarkerRow& r) { r.normal[0] += 0.5; }>>(),
       table_hash<ChangedMarker<[](MarkerRow& r) { r.outer_diameter_m += 0.01; }>>(),
       table_hash<ChangedMarker<[](MarkerRow& r) { r.inner_diameter_m += 0.01; }>>()};
-  EXPECT_EQ(hashes.size(), 16u);
+  EXPECT_EQ(hashes.size(), 19u);
 }
 
 TEST(TableHash, IsIndifferentToWhereATrackerBegins) { EXPECT_EQ(table_hash<OtherStart>(), table_hash<Arm>()); }

@@ -47,7 +47,7 @@ TEST(CsvOutput, WritesTheBytesThatReplayWritesForTheSameEstimate) {
     const Estimate estimate = random_estimate(random, trial % 4 != 0);
     line.clear();
     hal::put_csv_row(estimate, line);
-    ASSERT_EQ(csv_row(kToMessage.estimate(estimate), Model::kJoints.size()), line.text()) << "seed 12, trial " << trial;
+    ASSERT_EQ(csv_row(kToMessage.estimate(estimate), static_cast<std::size_t>(model::kNumJoints<Model>)), line.text()) << "seed 12, trial " << trial;
   }
 }
 

@@ -55,7 +55,7 @@ void expect_block(const UrdfOracle& oracle, std::map<std::string, double> values
       EXPECT_NEAR(got[i], pose[i][3], 1e-14);  // a few roundings of numbers below 1
       EXPECT_NEAR(got[3 + i], pose[i][2], 1e-14);
     }
-    for (const auto& joint_row : Model::kJoints) {
+    for (const auto& joint_row : model::kValueRows<Model>) {
       block >> word >> marker >> joint;
       read_numbers();
       EXPECT_EQ(word, "jac");
@@ -84,7 +84,7 @@ void expect_model() {
   const UrdfOracle oracle(urdf_of(Model::kName));
   std::map<std::string, double> values;
   std::string line, head = "joints";
-  for (const auto& joint : Model::kJoints) {
+  for (const auto& joint : model::kValueRows<Model>) {
     const double q = joint.q_min + 0.37 * (joint.q_max - joint.q_min);
     std::ostringstream text;
     text.precision(17);
