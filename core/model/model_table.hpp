@@ -79,8 +79,8 @@ template <class M>
 inline constexpr int kNumMarkers = static_cast<int>(M::kMarkers.size());
 /// Joint values: rows that mimic no other.
 template <class M>
-inline constexpr int kNumJoints = static_cast<int>(
-    std::count_if(M::kJoints.begin(), M::kJoints.end(), [](const JointRow& row) { return row.leader < 0; }));
+inline constexpr int kNumJoints = static_cast<int>(std::count_if(M::kJoints.begin(), M::kJoints.end(),
+                                                                 [](const JointRow& row) { return row.leader < 0; }));
 /// Degrees of freedom nv: 6 of the base, then the joint values. (The paper's q has nq = 7 + n numbers.)
 template <class M>
 inline constexpr int kDof = 6 + kNumJoints<M>;

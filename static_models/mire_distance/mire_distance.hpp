@@ -34,6 +34,13 @@ struct MireDistance {
   // Start of the tracker: t_m and r_wxyz of {obj} in {cam}, then the joints.
   static constexpr bool kHasQ0 = true;
   static constexpr std::array<double, 8> kQ0{-0.032, 0.07, 0.591, 0.902, -0.42, -0.06, -0.077, 0.12};
+  // Indices by name: of the joint values in q, and of the rows of kMarkers.
+  struct Joint {
+    enum : int { kDotDistance };
+  };
+  struct Marker {
+    enum : int { kDot0, kDot1, kDot2, kDot3 };
+  };
   // clang-format on
 };
 static_assert(model::kTableSchema == 2, "table layout changed: regenerate");

@@ -38,6 +38,14 @@ struct PrinterDrawer {
   // Start of the tracker: t_m and r_wxyz of {obj} in {cam}, then the joints.
   static constexpr bool kHasQ0 = true;
   static constexpr std::array<double, 9> kQ0{0, 0.1, 0.6, 1, 0, 0, 0, 0, 0.1};
+  // Indices by name: of the joint values in q, and of the rows of kMarkers.
+  struct Joint {
+    enum : int { kDrawerSlide, kMarkerDistance };
+  };
+  struct Marker {
+    enum : int { kBaseMarker0, kBaseMarker1, kBaseMarker2, kBaseMarker3, kDrawerMarker0,
+      kDrawerMarker1 };
+  };
   // clang-format on
 };
 static_assert(model::kTableSchema == 2, "table layout changed: regenerate");

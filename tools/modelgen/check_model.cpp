@@ -57,18 +57,8 @@ void settle_limits(const std::string& file, UrdfJoint& joint, Diagnostics& diagn
 
 void check_joint(const std::string& file, UrdfJoint& joint, Diagnostics& diagnostics) {
   const std::string joint_title = title("joint", joint.name);
-  if (joint.type == JointType::planar || joint.type == JointType::floating) {
-    diagnostics.error(file, joint.line, joint_title,
-                      "planar and floating joints are not supported yet; use prismatic and revolute ones in a row");
-  }
-  if (joint.mimics && joint.moves()) {
-    diagnostics.error(file, joint.mimic_line, joint_title, "mimic joints are not supported yet; remove <mimic>");
-  } else if (joint.mimics) {
-    diagnostics.warning(file, joint.mimic_line, joint_title, "<mimic> of a fixed joint is ignored");
-  }
   if (!joint.moves()) return;
-  // A shorter axis has no direction left after its own rounding.
-  if (std::hypot(joint.axis[0], joint.axis[1], joint.axis[2]) < 1e-9) {
+  if (std::hypot(joint.axis[0], joint.axis[1], joint.axis[2]) < kMinAxis) {
     diagnostics.error(file, joint.axis_line, joint_title, "the axis is zero; give its direction, e.g. xyz=\"0 0 1\"");
   }
   settle_limits(file, joint, diagnostics);
@@ -141,27 +131,6 @@ void check_markers(const MarkersFile& markers, const ModelOptions& options, cons
   }
 }
 
-void check_options(const UrdfModel& model, const ModelOptions& options, const std::map<std::string, int>& links,
-                   Diagnostics& diagnostics) {
-  if (!options.root.empty() && links.count(options.root) == 0) {
-    diagnostics.error("--root", 0, title("link", options.root), "the URDF has no such link");
-  }
-  std::set<std::string> frozen;
-  for (const Freeze& freeze : options.freeze) {
-    const std::string joint_title = title("joint", freeze.joint);
-    const auto named = [&](const UrdfJoint& joint) { return joint.name == freeze.joint; };
-    const auto joint = std::find_if(model.joints.begin(), model.joints.end(), named);
-    if (joint == model.joints.end()) {
-      diagnostics.error("--freeze", 0, joint_title, "the URDF has no such joint");
-    } else if (!joint->moves()) {
-      diagnostics.error("--freeze", 0, joint_title, "is fixed already");
-    } else if (!(joint->lower <= freeze.value && freeze.value <= joint->upper)) {
-      diagnostics.warning("--freeze", 0, joint_title, fmt::format("{} is outside its limits", freeze.value));
-    }
-    if (!frozen.insert(freeze.joint).second) diagnostics.error("--freeze", 0, joint_title, "is given twice");
-  }
-}
-
 }  // namespace
 
 void check_model(UrdfModel& model, const MarkersFile& markers, const ModelOptions& options, Diagnostics& diagnostics) {
@@ -185,7 +154,9 @@ void check_model(UrdfModel& model, const MarkersFile& markers, const ModelOption
   for (UrdfJoint& each : model.joints) check_joint(model.file, each, diagnostics);
   check_tree(model, check_ends(model, links, diagnostics), diagnostics);
   check_markers(markers, options, links, diagnostics);
-  check_options(model, options, links, diagnostics);
+  if (!options.root.empty() && links.count(options.root) == 0) {
+    diagnostics.error("--root", 0, title("link", options.root), "the URDF has no such link");
+  }
 }
 
 }  // namespace articam::modelgen

@@ -14,8 +14,8 @@ namespace articam::modelgen {
 /// moving joints are not zero, and every moving joint has ordered limits (kUnlimited where it has none).
 ///
 /// Warnings  a robot without a name ('unnamed'), the link `world` not declared (added), no limits or lower above
-///           upper (unlimited), limits of a continuous joint or mimic of a fixed one (ignored).
-/// Errors    whatever else breaks those rules; planar, floating and mimic joints are not supported yet.
+///           upper (unlimited), limits of a continuous joint (ignored).
+/// Errors    whatever else breaks those rules.
 void check_model(UrdfModel& model, const MarkersFile& markers, const ModelOptions& options, Diagnostics& diagnostics);
 
 /// Why a text cannot name a joint, link or point: empty if it can.

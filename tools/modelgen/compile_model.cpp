@@ -8,8 +8,10 @@
 
 #include "tools/modelgen/check_model.hpp"
 #include "tools/modelgen/emit_header.hpp"
+#include "tools/modelgen/expand_joints.hpp"
 #include "tools/modelgen/read_markers.hpp"
 #include "tools/modelgen/read_urdf.hpp"
+#include "tools/modelgen/resolve_mimics.hpp"
 
 namespace articam::modelgen {
 namespace {
@@ -36,7 +38,9 @@ std::optional<CompiledModel> compile_model(const CompileJob& job, Diagnostics& d
   }
   auto model = read_urdf(job.urdf, diagnostics);
   if (!model) return std::nullopt;
+  expand_joints(*model, diagnostics);
   check_model(*model, markers, job.options, diagnostics);
+  resolve_mimics(*model, job.options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
 
   CompiledModel result;

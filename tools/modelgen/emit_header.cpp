@@ -1,128 +1,19 @@
 #include "tools/modelgen/emit_header.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <utility>
+#include <vector>
 
+#include "tools/modelgen/emit_rows.hpp"
+#include "tools/modelgen/emit_sketch.hpp"
 #include "tools/modelgen/emit_text.hpp"
+#include "tools/modelgen/identifiers.hpp"
 
 namespace articam::modelgen {
 namespace {
-
-using Texts = std::vector<std::string>;
-
-struct Column {
-  std::string title;
-  Texts cells;
-};
-
-std::string limit(double x) {
-  if (x == model::kUnlimited) return "model::kUnlimited";
-  return x == -model::kUnlimited ? "-model::kUnlimited" : number(x);
-}
-
-std::string list(const Texts& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "{" : ", ") + item;
-  return text + "}";
-}
-
-/// A C++ string literal. Octal escapes have a fixed length, so that no following digit joins them.
-std::string literal(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c >= 0x20 && c < 0x7f ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-  }
-  return quoted + '"';
-}
-
-std::string_view word(model::JointKind kind) {
-  constexpr std::array<std::string_view, 3> kWords{"revolute", "continuous", "prismatic"};
-  return kWords[static_cast<std::size_t>(kind)];
-}
-
-std::string_view word(model::MarkerKind kind) {
-  constexpr std::array<std::string_view, 4> kWords{"point", "ring", "dot_light_on_dark", "dot_dark_on_light"};
-  return kWords[static_cast<std::size_t>(kind)];
-}
-
-void align_right(Texts& cells) {
-  std::size_t width = 0;
-  for (const std::string& cell : cells) width = std::max(width, cell.size());
-  for (std::string& cell : cells) cell.insert(0, width - cell.size(), ' ');
-}
-
-Column numbers(std::string title, const std::vector<double>& values) {
-  Column column{std::move(title), {}};
-  for (const double x : values) column.cells.push_back(limit(x));
-  align_right(column.cells);
-  return column;
-}
-
-/// One {x, y, z} a row, each component under its like.
-template <std::size_t N>
-Column vectors(std::string title, const std::vector<std::array<double, N>>& values) {
-  std::vector<Texts> rows(values.size());
-  for (std::size_t i = 0; i < N; ++i) {
-    Texts component;
-    for (const auto& value : values) component.push_back(number(value[i]));
-    align_right(component);
-    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(component[row]);
-  }
-  Column column{std::move(title), {}};
-  for (const Texts& row : rows) column.cells.push_back(list(row));
-  return column;
-}
-
-/// Rows `    {a, b},` below a comment that names the columns.
-std::string aligned(const std::vector<Column>& columns) {
-  const std::size_t num_rows = columns.front().cells.size();
-  std::string head = "    // ";
-  Texts rows(num_rows, "    {");
-  for (const Column& column : columns) {
-    const bool last = &column == &columns.back();
-    head += column.title;
-    std::size_t end = head.size();
-    for (std::size_t i = 0; i < num_rows; ++i) {
-      rows[i] += column.cells[i] + (last ? "},\n" : ",");
-      end = std::max(end, rows[i].size());
-    }
-    if (last) break;
-    head.resize(end + 1, ' ');
-    for (std::string& row : rows) row.resize(end + 1, ' ');
-  }
-  return fmt::format("{}\n{}", head, fmt::join(rows, ""));
-}
-
-std::string sketch_markers(const Table& table, int body) {
-  std::string names;
-  for (const TableMarker& marker : table.markers) {
-    if (marker.body == body) names += (names.empty() ? "" : ", ") + marker.name;
-  }
-  return names.empty() ? "" : "  [" + names + "]";
-}
-
-/// The branches below a body, one a line; `stem` is what runs on from the lines above.
-std::string sketch(const Table& table, int body, const std::string& stem) {
-  std::vector<int> children;
-  for (std::size_t i = 0; i < table.joints.size(); ++i) {
-    if (table.joints[i].parent == body) children.push_back(static_cast<int>(i));
-  }
-  std::string text;
-  for (const int child : children) {
-    const TableJoint& joint = table.joints[static_cast<std::size_t>(child)];
-    const bool last = child == children.back();
-    const std::string branch = fmt::format("{}{} {} ({}) --> {}{}", stem, last ? "`--" : "|--", joint.name,
-                                           word(joint.kind), joint.child_link, sketch_markers(table, child));
-    text += "//   " + comment(branch) + '\n' + sketch(table, child, stem + (last ? "    " : "|   "));
-  }
-  return text;
-}
 
 std::string emit_origins(const std::vector<Origin>& origins, const std::string& options) {
   std::size_t width = 0;
@@ -147,23 +38,23 @@ auto each(const Rows& rows, Get get) {
   return values;
 }
 
-std::string emit_rows(const char* row_type, const char* name, const std::vector<Column>& columns) {
-  const std::size_t size = columns.front().cells.size();
-  const std::string declaration = fmt::format("  static constexpr std::array<model::{}, {}> {}", row_type, size, name);
-  return size == 0 ? declaration + "{};\n" : declaration + "{{\n" + aligned(columns) + "  }};\n";
-}
-
 std::string emit_joints(const std::vector<TableJoint>& joints) {
   using J = TableJoint;
-  return emit_rows("JointRow", "kJoints",
-                   {{"name", each(joints, [](const J& j) { return literal(j.name); })},
-                    {"kind", each(joints, [](const J& j) { return std::string(word(j.kind)); })},
-                    {"parent", each(joints, [](const J& j) { return fmt::format("{:2}", j.parent); })},
-                    vectors("axis", each(joints, [](const J& j) { return plain(j.axis); })),
-                    vectors("t_parent_joint_m", each(joints, [](const J& j) { return plain(j.T_parent_joint.t); })),
-                    vectors("r_wxyz", each(joints, [](const J& j) { return plain(j.T_parent_joint.R); })),
-                    numbers("q_min", each(joints, [](const J& j) { return j.q_min; })),
-                    numbers("q_max", each(joints, [](const J& j) { return j.q_max; }))});
+  std::vector<Column> columns{
+      {"name", each(joints, [](const J& j) { return literal(j.name); })},
+      {"kind", each(joints, [](const J& j) { return std::string(word(j.kind)); })},
+      {"parent", each(joints, [](const J& j) { return fmt::format("{:2}", j.parent); })},
+      vectors("axis", each(joints, [](const J& j) { return plain(j.axis); })),
+      vectors("t_parent_joint_m", each(joints, [](const J& j) { return plain(j.T_parent_joint.t); })),
+      vectors("r_wxyz", each(joints, [](const J& j) { return plain(j.T_parent_joint.R); })),
+      numbers("q_min", each(joints, [](const J& j) { return j.q_min; })),
+      numbers("q_max", each(joints, [](const J& j) { return j.q_max; }))};
+  if (std::any_of(joints.begin(), joints.end(), [](const J& j) { return j.leader >= 0; })) {
+    columns.push_back({"leader", each(joints, [](const J& j) { return fmt::format("{:2}", j.leader); })});
+    columns.push_back(numbers("ratio", each(joints, [](const J& j) { return j.ratio; })));
+    columns.push_back(numbers("offset", each(joints, [](const J& j) { return j.offset; })));
+  }
+  return emit_rows("JointRow", "kJoints", columns);
 }
 
 std::string emit_markers(const std::vector<TableMarker>& markers) {
@@ -178,10 +69,40 @@ std::string emit_markers(const std::vector<TableMarker>& markers) {
                     numbers("inner_diameter_m", each(markers, [](const M& m) { return m.inner_diameter_m; }))});
 }
 
+/// Nothing where no joint is held.
+std::string emit_frozen(const std::vector<TableFrozen>& frozen) {
+  using F = TableFrozen;
+  if (frozen.empty()) return "";
+  return emit_rows("FrozenRow", "kFrozen",
+                   {{"name", each(frozen, [](const F& f) { return literal(f.name); })},
+                    numbers("value", each(frozen, [](const F& f) { return f.value; }))});
+}
+
+/// `struct KIND { enum : int { kFirst, kSecond }; };`, or nothing where there is nothing to name.
+std::string emit_indices(const char* kind, const Texts& originals) {
+  if (originals.empty()) return "";
+  std::string text, line = "    enum : int {";
+  for (const std::string& identifier : to_identifiers(originals, kind)) {
+    if (line.size() + identifier.size() > 100) {
+      text += line + '\n';
+      line = "     ";
+    }
+    line += ' ' + identifier + ',';
+  }
+  line.back() = ' ';
+  return fmt::format("  struct {} {{\n{}{}}};\n  }};\n", kind, text, line);
+}
+
+std::string emit_names(const Table& table) {
+  const std::string joints = emit_indices("Joint", each(table.values(), [](const TableJoint* j) { return j->name; }));
+  const std::string markers = emit_indices("Marker", each(table.markers, [](const TableMarker& m) { return m.name; }));
+  return "  // Indices by name: of the joint values in q, and of the rows of kMarkers.\n" + joints + markers;
+}
+
 std::string emit_start(const Table& table) {
   std::vector<double> q0 = table.q0;
   if (q0.empty()) {
-    q0.assign(7 + table.joints.size(), 0);
+    q0.assign(7 + table.values().size(), 0);
     q0[3] = 1;
   }
   const char* const meaning = table.q0.empty() ? "No start is given: kQ0 means nothing." : "Start of the tracker:";
@@ -195,8 +116,7 @@ std::string emit_start(const Table& table) {
 std::string emit_header(const Table& table, const std::string& type_name, const std::vector<Origin>& origins,
                         const std::string& options) {
   return "// GENERATED by articam-modelgen. Do not edit: change the source and build again.\n" +
-         emit_origins(origins, options) + "//\n//   " + comment(table.root_link + sketch_markers(table, -1)) + '\n' +
-         sketch(table, -1, "") +
+         emit_origins(origins, options) + "//\n" + sketch(table) +
          "//\n"
          "// Units m, rad. T_parent_joint maps points of {joint} into {parent}; quaternions w x y z.\n"
          "// Rows are ordered so that a parent comes before its children; -1 is the root, {obj}.\n"
@@ -217,7 +137,8 @@ std::string emit_header(const Table& table, const std::string& type_name, const 
          literal(table.robot) +
          ";\n"
          "  // clang-format off\n" +
-         emit_joints(table.joints) + emit_markers(table.markers) + emit_start(table) +
+         emit_joints(table.joints) + emit_markers(table.markers) + emit_frozen(table.frozen) + emit_start(table) +
+         emit_names(table) +
          "  // clang-format on\n"
          "};\n"
          "static_assert(model::kTableSchema == " +

@@ -4,68 +4,15 @@
 #include <tinyxml2.h>
 
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include "tools/modelgen/parse_number.hpp"
+#include "tools/modelgen/parse_robot.hpp"
 
 namespace articam::modelgen {
 namespace {
 
 using tinyxml2::XMLElement;
-
-struct Refusal {
-  std::size_t at{};
-  const char* reason{};
-};
-
-/// End of the tag at `at`, where `attributes` counts its equal signs; quoted values may hold any sign.
-std::size_t skip_tag(std::string_view xml, std::size_t at, int& attributes) {
-  char quote = '\0';
-  for (; at < xml.size(); ++at) {
-    const char c = xml[at];
-    if (quote != '\0') {
-      if (c == quote) quote = '\0';
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '=') {
-      ++attributes;
-    } else if (c == '>') {
-      break;
-    }
-  }
-  return at;
-}
-
-/// What must not reach the parser: declarations, and tags for which it would take quadratic time (it compares
-/// every attribute with all before it).
-std::optional<Refusal> find_hostile_markup(std::string_view xml) {
-  for (std::size_t at = xml.find('<'); at < xml.size(); at = xml.find('<', at)) {
-    const std::string_view rest = xml.substr(at);
-    if (rest.starts_with("<!--")) {
-      at = xml.find("-->", at + 4);
-    } else if (rest.starts_with("<![CDATA[")) {
-      at = xml.find("]]>", at + 9);
-    } else if (rest.starts_with("<!")) {
-      return Refusal{at, "document types and entities are not taken; remove the declaration"};
-    } else {
-      int attributes = 0;
-      const std::size_t end = skip_tag(xml, at, attributes);
-      if (attributes > kMaxAttributes) return Refusal{at, "a tag has more than 64 attributes"};
-      at = end;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Line of the first element nested deeper than kMaxXmlDepth, or 0. The parser itself stops at 100 levels.
-int find_too_deep(const XMLElement& element, int depth) {
-  if (depth > kMaxXmlDepth) return element.GetLineNum();
-  for (auto child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-    if (const int line = find_too_deep(*child, depth + 1); line > 0) return line;
-  }
-  return 0;
-}
 
 std::optional<JointType> joint_type(std::string_view word) {
   if (word == "revolute") return JointType::revolute;
@@ -76,6 +23,9 @@ std::optional<JointType> joint_type(std::string_view word) {
   if (word == "floating") return JointType::floating;
   return std::nullopt;
 }
+
+/// `${...}` and `$(...)` are xacro's, which a person has to run first.
+bool is_macro(std::string_view text) { return text.find("${") != text.npos || text.find("$(") != text.npos; }
 
 /// Reads one <link> or <joint> and reports under its name.
 class ElementReader {
@@ -88,9 +38,12 @@ class ElementReader {
 
   std::string required(const XMLElement& part, const char* attribute) {
     const char* const text = part.Attribute(attribute);
-    if (text != nullptr && *text != '\0') return text;
-    error(part, fmt::format("attribute {} is missing", attribute));
-    return "";
+    if (text == nullptr || *text == '\0') {
+      error(part, fmt::format("attribute {} is missing", attribute));
+      return "";
+    }
+    if (is_macro(text)) malformed(part, attribute, text, "a name");
+    return text;
   }
 
   /// The only child of that name; null when there is none.
@@ -107,7 +60,7 @@ class ElementReader {
     if (text == nullptr) return;
     const auto numbers = parse_numbers(text);
     if (!numbers || numbers->size() != 3) {
-      error(*part, fmt::format("{}=\"{}\" is not three finite numbers", attribute, text));
+      malformed(*part, attribute, text, "three finite numbers");
       return;
     }
     for (const double x : *numbers) {
@@ -121,9 +74,14 @@ class ElementReader {
     const char* const text = part.Attribute(attribute);
     if (text == nullptr) return false;
     const auto number = parse_number(text);
-    if (!number) error(part, fmt::format("{}=\"{}\" is not a finite number", attribute, text));
+    if (!number) malformed(part, attribute, text, "a finite number");
     out = number.value_or(0.0);
     return true;
+  }
+
+  void malformed(const XMLElement& part, const char* attribute, const char* text, const char* wanted) {
+    const char* const fix = is_macro(text) ? ", but an expression of xacro; run `xacro FILE.xacro > FILE.urdf`" : "";
+    error(part, fmt::format("{}=\"{}\" is not {}{}", attribute, text, wanted, fix));
   }
 
   void error(const XMLElement& part, std::string reason) {
@@ -158,7 +116,8 @@ UrdfJoint read_joint(const std::string& file, const XMLElement& element, Diagnos
   if (type) {
     joint.type = *type;
   } else if (!word.empty()) {
-    reader.error(element, fmt::format("type '{}' is none of revolute, continuous, prismatic, fixed", word));
+    reader.error(element,
+                 fmt::format("type '{}' is none of revolute, continuous, prismatic, fixed, planar, floating", word));
   }
   joint.parent = read_end(reader, element, "parent", joint.parent_line);
   joint.child = read_end(reader, element, "child", joint.child_line);
@@ -166,6 +125,9 @@ UrdfJoint read_joint(const std::string& file, const XMLElement& element, Diagnos
   const XMLElement* const origin = reader.part("origin");
   reader.vector(origin, "xyz", joint.origin_xyz);
   reader.vector(origin, "rpy", joint.origin_rpy);
+  if (origin != nullptr && origin->Attribute("quat_xyzw") != nullptr) {
+    reader.error(*origin, "quat_xyzw is not read; give the rotation as rpy");
+  }
   if (const XMLElement* const axis = reader.part("axis"); axis != nullptr) {
     joint.axis_line = axis->GetLineNum();
     reader.required(*axis, "xyz");
@@ -178,45 +140,23 @@ UrdfJoint read_joint(const std::string& file, const XMLElement& element, Diagnos
     joint.has_limit = lower || upper;
   }
   if (const XMLElement* const mimic = reader.part("mimic"); mimic != nullptr) {
-    joint.mimics = true;
     joint.mimic_line = mimic->GetLineNum();
+    joint.leader = reader.required(*mimic, "joint");
+    joint.mimics = !joint.leader.empty();
+    reader.number(*mimic, "multiplier", joint.ratio);
+    reader.number(*mimic, "offset", joint.offset);
+    if (std::abs(joint.ratio) > kMaxCoordinate || std::abs(joint.offset) > kMaxCoordinate) {
+      reader.error(*mimic, "multiplier or offset is beyond 1e6");
+    }
   }
   return joint;
-}
-
-/// The <robot> element, or null after having said what is wrong with the document.
-const XMLElement* find_robot(tinyxml2::XMLDocument& document, const SourceFile& source, Diagnostics& diagnostics) {
-  const auto refuse = [&](int line, const char* element, const std::string& reason) {
-    diagnostics.error(source.path, line, element, reason);
-    return nullptr;
-  };
-  if (const auto hostile = find_hostile_markup(source.bytes)) {
-    return refuse(source.line_of(hostile->at), "document", hostile->reason);
-  }
-  if (document.Parse(source.bytes.data(), source.bytes.size()) == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    return refuse(document.ErrorLineNum(), "document", "elements are nested deeper than 32 levels");
-  }
-  if (document.Error()) {
-    return refuse(document.ErrorLineNum(), "document", fmt::format("not well-formed XML ({})", document.ErrorName()));
-  }
-  const XMLElement* const robot = document.RootElement();
-  if (robot == nullptr || std::strcmp(robot->Name(), "robot") != 0) {
-    return refuse(robot != nullptr ? robot->GetLineNum() : 1, "document", "the outermost element is not <robot>");
-  }
-  if (const XMLElement* const second = robot->NextSiblingElement(); second != nullptr) {
-    return refuse(second->GetLineNum(), "document", "a second outermost element; one file holds one robot");
-  }
-  if (const int line = find_too_deep(*robot, 1); line > 0) {
-    return refuse(line, "document", "elements are nested deeper than 32 levels");
-  }
-  return robot;
 }
 
 }  // namespace
 
 std::optional<UrdfModel> read_urdf(const SourceFile& source, Diagnostics& diagnostics) {
   tinyxml2::XMLDocument document;
-  const XMLElement* const robot = find_robot(document, source, diagnostics);
+  const XMLElement* const robot = parse_robot(source, document, diagnostics);
   if (robot == nullptr) return std::nullopt;
 
   UrdfModel model;
@@ -231,7 +171,8 @@ std::optional<UrdfModel> read_urdf(const SourceFile& source, Diagnostics& diagno
     } else if (kind == "joint") {
       model.joints.push_back(read_joint(source.path, *element, diagnostics));
     } else if (kind.starts_with("xacro:")) {
-      diagnostics.warning(source.path, element->GetLineNum(), element->Name(), "a macro left over, ignored; run xacro");
+      diagnostics.warning(source.path, element->GetLineNum(), element->Name(),
+                          "a macro left over, ignored; run `xacro FILE.xacro > FILE.urdf`");
     }
     if (model.links.size() > kMaxLinks || model.joints.size() > kMaxLinks) {
       diagnostics.error(source.path, element->GetLineNum(), "robot", "more than 256 links or joints");

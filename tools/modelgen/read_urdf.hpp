@@ -31,8 +31,11 @@ struct UrdfJoint {
   bool has_limit{};  ///< at least one of lower and upper is written
   double lower{}, upper{};
   int limit_line{};
-  bool mimics{};
+  bool mimics{};       ///< it stands at ratio times the leader's value plus offset
+  std::string leader;  ///< as written; after resolve_mimics one that mimics none
+  double ratio{1}, offset{};
   int mimic_line{};
+  std::optional<double> held;  ///< where resolve_mimics found that it stands still
 
   bool moves() const { return type != JointType::fixed; }
 };
@@ -48,6 +51,7 @@ struct UrdfModel {
 inline constexpr std::size_t kMaxLinks = 256;
 inline constexpr int kMaxXmlDepth = 32;
 inline constexpr int kMaxAttributes = 64;
+inline constexpr double kMinAxis = 1e-9;       ///< a shorter axis has no direction left after its own rounding
 inline constexpr double kMaxCoordinate = 1e6;  ///< m or rad; beyond it no drawing of an object goes
 
 /// Errors  not well-formed XML, a DTD, nesting deeper than kMaxXmlDepth, more than kMaxAttributes in a tag,

@@ -1,15 +1,18 @@
 #include "tools/modelgen/reduce.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/math/so3.hpp"
 #include "core/math/trigonometry.hpp"
+#include "tools/modelgen/check_start.hpp"
+#include "tools/modelgen/prune.hpp"
 
 namespace articam::modelgen {
 namespace {
@@ -53,9 +56,7 @@ struct Place {
 /// Walks the tree from the chosen root, over joints in both directions.
 class Walk {
  public:
-  Walk(const UrdfModel& model, const ModelOptions& options) : model_{model}, crossed_(model.joints.size()) {
-    for (const Freeze& freeze : options.freeze) frozen_[freeze.joint] = freeze.value;
-  }
+  explicit Walk(const UrdfModel& model) : model_{model}, crossed_(model.joints.size()) {}
 
   void visit(const std::string& link, const Place& place) {
     places[link] = place;
@@ -74,10 +75,8 @@ class Walk {
   void cross(const UrdfJoint& joint, bool downwards, const Place& from) {
     const std::string& to_link = downwards ? joint.child : joint.parent;
     Pose<double> T_parent_child = pose_of(joint.origin_xyz, joint.origin_rpy);
-    const auto frozen = frozen_.find(joint.name);
-    const bool held = frozen != frozen_.end();
-    if (held) T_parent_child = T_parent_child * displacement(joint, frozen->second);
-    if (!joint.moves() || held) {
+    if (joint.held) T_parent_child = T_parent_child * displacement(joint, *joint.held);
+    if (!joint.moves() || joint.held) {
       const Pose<double> T_from_to = downwards ? T_parent_child : T_parent_child.inverse();
       return visit(to_link, {from.body, from.T_body_link * T_from_to});
     }
@@ -92,15 +91,27 @@ class Walk {
     row.T_parent_joint = downwards ? from.T_body_link * T_parent_child : from.T_body_link;
     row.q_min = joint.lower;
     row.q_max = joint.upper;
+    if (joint.mimics) {
+      row.ratio = joint.ratio;
+      row.offset = joint.offset;
+    }
     joints.push_back(row);
     const int body = static_cast<int>(joints.size()) - 1;
     visit(to_link, {body, downwards ? Pose<double>{} : T_parent_child.inverse()});
   }
 
   const UrdfModel& model_;
-  std::map<std::string, double> frozen_;
   std::vector<bool> crossed_;
 };
+
+/// Leaders by row; a joint that mimics and its leader are both in the tree, so both have one.
+void link_leaders(const UrdfModel& model, std::vector<TableJoint>& joints) {
+  std::map<std::string, int> row_of;
+  for (std::size_t i = 0; i < joints.size(); ++i) row_of[joints[i].name] = static_cast<int>(i);
+  for (const UrdfJoint& joint : model.joints) {
+    if (joint.mimics) joints[static_cast<std::size_t>(row_of.at(joint.name))].leader = row_of.at(joint.leader);
+  }
+}
 
 std::string find_root(const UrdfModel& model) {
   const auto hangs = [&](const UrdfLink& link) {
@@ -119,61 +130,6 @@ TableMarker place_marker(const Marker& marker, const Place& place) {
           rounded(normal),
           marker.outer_diameter_m,
           marker.inner_diameter_m};
-}
-
-/// Leaves out joints that move no marker, and renumbers the rows.
-void prune(Table& table, const std::string& file, Diagnostics& diagnostics) {
-  if (table.markers.empty()) {
-    diagnostics.warning(file, 0, "robot", "no markers and no points: nothing of it can be observed");
-    return;
-  }
-  std::vector<bool> used(table.joints.size());
-  for (const TableMarker& marker : table.markers) {
-    for (int i = marker.body; i >= 0; i = table.joints[static_cast<std::size_t>(i)].parent) {
-      used[static_cast<std::size_t>(i)] = true;
-    }
-  }
-  std::vector<int> new_row(table.joints.size(), -1);
-  const auto renumbered = [&](int row) { return row < 0 ? -1 : new_row[static_cast<std::size_t>(row)]; };
-  std::vector<TableJoint> kept;
-  for (std::size_t i = 0; i < table.joints.size(); ++i) {
-    TableJoint& joint = table.joints[i];
-    if (!used[i]) {
-      diagnostics.warning(file, 0, fmt::format("joint '{}'", joint.name), "moves no marker: left out of the table");
-      continue;
-    }
-    new_row[i] = static_cast<int>(kept.size());
-    joint.parent = renumbered(joint.parent);
-    kept.push_back(joint);
-  }
-  for (TableMarker& marker : table.markers) marker.body = renumbered(marker.body);
-  table.joints = std::move(kept);
-}
-
-void check_q0(const Table& table, const MarkersFile& markers, Diagnostics& diagnostics) {
-  const auto& q0 = table.q0;
-  if (q0.size() != 7 + table.joints.size()) {
-    std::string order = "px py pz qw qx qy qz";
-    for (const TableJoint& joint : table.joints) order += ' ' + joint.name;
-    diagnostics.error(markers.file, markers.q0_line, "q0",
-                      fmt::format("has {} numbers instead of {}: {}", q0.size(), 7 + table.joints.size(), order));
-    return;
-  }
-  const auto refuse = [&](const std::string& reason) {
-    diagnostics.error(markers.file, markers.q0_line, "q0", reason);
-  };
-  const auto far = [](double x) { return std::abs(x) > kMaxCoordinate; };
-  if (std::any_of(q0.begin(), q0.end(), far)) return refuse(fmt::format("a number is beyond {:g}", kMaxCoordinate));
-  if (!(q0[2] > 0)) refuse("pz is not positive: the base is not in front of the camera");
-  const double norm = std::sqrt(q0[3] * q0[3] + q0[4] * q0[4] + q0[5] * q0[5] + q0[6] * q0[6]);
-  if (!(std::abs(norm - 1) < 0.01)) {  // a start is typed with two or three digits
-    refuse(fmt::format("its quaternion has norm {:.4g}, not 1", norm));
-  }
-  for (std::size_t i = 0; i < table.joints.size(); ++i) {
-    const TableJoint& joint = table.joints[i];
-    if (q0[7 + i] >= joint.q_min && q0[7 + i] <= joint.q_max) continue;
-    diagnostics.warning(markers.file, markers.q0_line, "q0", fmt::format("{} is outside its limits", joint.name));
-  }
 }
 
 }  // namespace
@@ -196,11 +152,15 @@ Table reduce(const UrdfModel& model, const MarkersFile& markers, const ModelOpti
   Table table;
   table.robot = model.robot;
   table.root_link = options.root.empty() ? find_root(model) : options.root;
-  Walk walk(model, options);
+  Walk walk(model);
   walk.visit(table.root_link, {});
   table.joints = std::move(walk.joints);
+  link_leaders(model, table.joints);
   for (const Marker& marker : markers.markers) table.markers.push_back(place_marker(marker, walk.places[marker.frame]));
   for (const Marker& point : options.points) table.markers.push_back(place_marker(point, walk.places[point.frame]));
+  for (const UrdfJoint& joint : model.joints) {
+    if (joint.held) table.frozen.push_back({joint.name, *joint.held});
+  }
   prune(table, model.file, diagnostics);
   for (TableJoint& joint : table.joints) {
     joint.axis = rounded(joint.axis);
@@ -208,7 +168,7 @@ Table reduce(const UrdfModel& model, const MarkersFile& markers, const ModelOpti
   }
   if (markers.q0) {
     table.q0 = *markers.q0;
-    check_q0(table, markers, diagnostics);
+    check_start(table, markers, diagnostics);
   }
   return table;
 }

@@ -68,6 +68,26 @@ TEST(EmitHeader, RepeatsTheOptionsBecauseTheyShapeTheTable) {
             std::string::npos);
 }
 
+TEST(EmitHeader, ShowsGearsAndHeldJoints) {
+  const auto turns = [](const std::string& name, const std::string& child, const std::string& mimic = "") {
+    return "<link name='" + child + "'/><joint name='" + name + "' type='continuous'><parent link='a'/><child link='" +
+           child + "'/>" + mimic + "</joint>";
+  };
+  ModelOptions options = test::with_points({"p=b:0,0,0", "q=c:0,0,0", "r=d:0,0,0"});
+  options.freeze = {{"latch", 0.5}};
+  const auto outcome =
+      compile_text(robot("<link name='a'/>" + turns("knob", "b") +
+                         turns("gear", "c", "<mimic joint='knob' multiplier='-2' offset='.1'/>") + turns("latch", "d")),
+                   {}, options);
+  ASSERT_TRUE(outcome.model) << outcome.messages;
+  for (const char* line :
+       {"`-- gear (continuous, = -2 knob + 0.1) --> c  [q]", "leader ratio offset", "-1,     1,     0},",
+        " 0,    -2,   0.1},", "FrozenRow, 1> kFrozen{{", "{\"latch\", 0.5},",
+        "struct Joint {\n    enum : int { kKnob };\n  };", "struct Marker {\n    enum : int { kP, kQ, kR };\n  };"}) {
+    EXPECT_NE(outcome.model->header.find(line), std::string::npos) << line << '\n' << outcome.model->header;
+  }
+}
+
 TEST(EmitHeader, SaysThatThereIsNoStart) {
   const std::string header = compile_text(kDoor).model->header;
   EXPECT_NE(header.find("kHasQ0 = false;"), std::string::npos);

@@ -51,7 +51,7 @@ TEST(ReadUrdf, GivesAbsentPartsTheirDefault) {
 TEST(ReadUrdf, TellsTheLineAndTheElementOfWhatIsMissingOrMalformed) {
   EXPECT_EQ(messages(robot("<link/>")), "m.urdf:2: link '': attribute name is missing\n");
   EXPECT_EQ(messages(robot("<joint name='j' type='ball'/>")),
-            "m.urdf:2: joint 'j': type 'ball' is none of revolute, continuous, prismatic, fixed\n"
+            "m.urdf:2: joint 'j': type 'ball' is none of revolute, continuous, prismatic, fixed, planar, floating\n"
             "m.urdf:2: joint 'j': <parent link=\"...\"/> is missing\n"
             "m.urdf:2: joint 'j': <child link=\"...\"/> is missing\n");
   EXPECT_EQ(messages(joint("<origin xyz='1 2'/>")),
@@ -106,8 +106,52 @@ TEST(ReadUrdf, RefusesDeepNestingAndTooManyLinks) {
   EXPECT_EQ(messages(robot(links + "\n<link name='x'/>")), "m.urdf:3: robot: more than 256 links or joints\n");
 }
 
-TEST(ReadUrdf, WarnsOfMacrosThatWereNotExpanded) {
-  EXPECT_EQ(messages(robot("<xacro:door/>")), "m.urdf:2: xacro:door: warning: a macro left over, ignored; run xacro\n");
+TEST(ReadUrdf, NamesWhatXacroLeftOver) {
+  EXPECT_EQ(messages(robot("<xacro:door/>")),
+            "m.urdf:2: xacro:door: warning: a macro left over, ignored; run `xacro FILE.xacro > FILE.urdf`\n");
+  EXPECT_EQ(
+      messages(joint("<origin xyz='${width} 0 0'/>")),
+      "m.urdf:3: joint 'j' <origin>: xyz=\"${width} 0 0\" is not three finite numbers, but an expression of xacro; "
+      "run `xacro FILE.xacro > FILE.urdf`\n");
+  EXPECT_EQ(messages(robot("<link name='$(arg side)_arm'/>")),
+            "m.urdf:2: link '$(arg side)_arm': name=\"$(arg side)_arm\" is not a name, but an expression of xacro; run "
+            "`xacro FILE.xacro > FILE.urdf`\n");
+}
+
+TEST(ReadUrdf, ReadsOnlyTheDirectChildrenOfTheRobot) {
+  Diagnostics diagnostics;
+  const auto model =
+      read_urdf({"m.urdf", robot("<link name='a'/><transmission name='t'><joint name='j'/></transmission>"
+                                 "<gazebo><link name='b'/></gazebo><!-- <link name='c'/> -->")},
+                diagnostics);
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->links.size(), 1u);
+  EXPECT_TRUE(model->joints.empty());
+  EXPECT_EQ(diagnostics.text(), "");
+}
+
+TEST(ReadUrdf, TakesFilesAsPeopleSaveThem) {
+  const std::string body = "<link name='a'/>";
+  const std::string named = " xmlns:xacro='http://www.ros.org/wiki/xacro'";
+  for (const std::string& text : std::initializer_list<std::string>{
+           "\xEF\xBB\xBF<?xml version='1.0'?>\r\n<robot name='r'>\r\n" + body + "\r\n</robot>\r\n",
+           "<!-- late --><?xml version='1.0'?><robot name='r'>" + body + "</robot>",
+           "<robot name='r'>\n<?pi <!ENTITY?><!-- <? --><link name='a'/><?unfinished</robot> ?></robot>",
+           "<robot name='r' xmlns='http://www.ros.org'>" + body + "</robot>",
+           "<robot name='r'" + named + ">" + body + "</robot>",
+           std::string("<u:robot xmlns:u='u' name='r'><u:link name='a'/></u:robot>")}) {
+    Diagnostics diagnostics;
+    const auto model = read_urdf({"m.urdf", text}, diagnostics);
+    ASSERT_TRUE(model) << text;
+    EXPECT_EQ(diagnostics.text(), "") << text;
+    EXPECT_EQ(model->robot, "r") << text;
+    EXPECT_EQ(model->links.size(), 1u) << text;
+  }
+}
+
+TEST(ReadUrdf, RefusesARotationThatItWouldHaveToIgnore) {
+  EXPECT_EQ(messages(joint("<origin quat_xyzw='0 0 0 1'/>")),
+            "m.urdf:3: joint 'j' <origin>: quat_xyzw is not read; give the rotation as rpy\n");
 }
 
 }  // namespace

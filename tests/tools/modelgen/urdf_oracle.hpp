@@ -62,6 +62,7 @@ class UrdfOracle {
     const auto* robot = document_.FirstChildElement("robot");
     for (auto* joint = robot->FirstChildElement("joint"); joint; joint = joint->NextSiblingElement("joint")) {
       above_[joint->FirstChildElement("child")->Attribute("link")] = joint;
+      joints_[joint->Attribute("name")] = joint;
       has_child_[joint->FirstChildElement("parent")->Attribute("link")] = true;
     }
     for (auto* link = robot->FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
@@ -78,9 +79,7 @@ class UrdfOracle {
     const auto xyz = numbers(origin, "xyz", {0, 0, 0}), rpy = numbers(origin, "rpy", {0, 0, 0});
     const Matrix4 fixed =
         translation(xyz) * rotation({0, 0, 1}, rpy[2]) * rotation({0, 1, 0}, rpy[1]) * rotation({1, 0, 0}, rpy[0]);
-    const auto value = values.find(joint.Attribute("name"));
-    const double q = value == values.end() ? 0 : value->second;
-    return pose(joint.FirstChildElement("parent")->Attribute("link"), values) * fixed * motion(joint, q);
+    return pose(joint.FirstChildElement("parent")->Attribute("link"), values) * fixed * motion(joint, values);
   }
 
   std::vector<std::string> leaves;
@@ -94,18 +93,59 @@ class UrdfOracle {
     return value;
   }
 
-  static Matrix4 motion(const tinyxml2::XMLElement& joint, double q) {
+  static double value(const std::string& name, const std::map<std::string, double>& values) {
+    const auto found = values.find(name);
+    return found == values.end() ? 0 : found->second;
+  }
+
+  static double attribute(const tinyxml2::XMLElement& element, const char* name, double absent) {
+    const char* const text = element.Attribute(name);
+    if (text == nullptr) return absent;
+    std::istringstream(text) >> absent;
+    return absent;
+  }
+
+  /// Where a joint stands: at its own value, or where the joint that it mimics says, link by link of the chain.
+  double position(const tinyxml2::XMLElement& joint, const std::map<std::string, double>& values) const {
+    if (std::string(joint.Attribute("type")) == "fixed") return 0;
+    const auto* mimic = joint.FirstChildElement("mimic");
+    if (mimic == nullptr) return value(joint.Attribute("name"), values);
+    return attribute(*mimic, "multiplier", 1) * position(*joints_.at(mimic->Attribute("joint")), values) +
+           attribute(*mimic, "offset", 0);
+  }
+
+  /// x, y, z, then yaw, pitch, roll; of a planar joint, in its plane, x, y and theta.
+  static Matrix4 free_motion(const std::string& name, bool planar, const std::array<double, 3>& normal,
+                             const std::map<std::string, double>& values) {
+    const auto of = [&](const char* part) { return value(name + part, values); };
+    const Matrix4 moved = translation({of(".x"), of(".y"), of(".z")});
+    if (!planar) {
+      return moved * rotation({0, 0, 1}, of(".yaw")) * rotation({0, 1, 0}, of(".pitch")) *
+             rotation({1, 0, 0}, of(".roll"));
+    }
+    const double length = std::hypot(normal[0], normal[1]);  // the turn that brings z to the normal is about z x normal
+    const std::array<double, 3> about =
+        length > 0 ? std::array{-normal[1] / length, normal[0] / length, 0.0} : std::array{1.0, 0.0, 0.0};
+    const Matrix4 turn = rotation(about, std::atan2(length, normal[2]));
+    return turn * moved * inverse(turn) * rotation(normal, of(".theta"));
+  }
+
+  Matrix4 motion(const tinyxml2::XMLElement& joint, const std::map<std::string, double>& values) const {
     auto axis = numbers(joint.FirstChildElement("axis"), "xyz", {1, 0, 0});
     const double norm = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
     for (double& x : axis) x /= norm;
     const std::string type = joint.Attribute("type");
     if (type == "fixed") return identity4();
+    if (type == "planar" || type == "floating")
+      return free_motion(joint.Attribute("name"), type == "planar", axis, values);
+    const double q = position(joint, values);
     if (type == "prismatic") return translation({axis[0] * q, axis[1] * q, axis[2] * q});
     return rotation(axis, q);
   }
 
   tinyxml2::XMLDocument document_;
   std::map<std::string, const tinyxml2::XMLElement*> above_;
+  std::map<std::string, const tinyxml2::XMLElement*> joints_;
   std::map<std::string, bool> has_child_;
 };
 
