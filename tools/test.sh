@@ -30,12 +30,16 @@ run_tests() {  # PRESET [CTEST_OPTION...]
 
 there() { for program; do command -v "$program" >/dev/null || return 1; done; }
 
-tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev
+tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev liborocos-kdl-dev \
+  liburdfdom-dev
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
 computing=(--target articam-bits --target articam-board --target articam-listen --target articam-modelgen
   --target articam-sim)
+# The URDF corpus is not part of the repository; without it the build has no such targets.
+corpus=()
+if [ -d ../shared/urdf_corpus ]; then corpus=(--target corpus_verdicts); fi
 CXX=clang++ tools/quietly.sh "Building with Clang" tools/build_preset.sh host-release --tests ON \
-  --into build/host-release-clang "${computing[@]}"
+  --into build/host-release-clang "${computing[@]}" "${corpus[@]}"
 run_tests host-release
 
 if there arm-none-eabi-g++ qemu-system-arm; then
@@ -52,6 +56,7 @@ if there aarch64-linux-gnu-g++ qemu-aarch64 && [ -e build/sysroot-aarch64 ]; the
     articam_firmware planted_{allowed,forbidden} articam-stack receiver_example; do
     of_the_board+=(--target "$target")
   done
+  if [ ${#corpus[@]} -gt 0 ]; then of_the_board+=(--target corpus_test); fi
   tools/quietly.sh "Building for aarch64" tools/build_preset.sh aarch64 --tests ON "${of_the_board[@]}"
   run_tests aarch64 --exclude-regex '_NOT_BUILT|^(FuzzLink|MustNotCompile|SameBits)'
 else

@@ -26,6 +26,11 @@ done
 "$bin/articam-bits" >"$out/bits"
 "$other_bin/articam-bits" | cmp "$out/bits" -
 
+if [ -x "$bin/corpus_verdicts" ]; then  # where the URDF corpus lies beside the repository
+  "$bin/corpus_verdicts" >"$out/corpus"
+  "$other_bin/corpus_verdicts" | cmp "$out/corpus" -
+fi
+
 compared=0
 for header in "$models"/*/*.hpp; do
   stem=${header%.hpp}
