@@ -52,7 +52,7 @@ fi
 if there aarch64-linux-gnu-g++ qemu-aarch64 && [ -e build/sysroot-aarch64 ]; then
   of_the_board=()
   for target in articam-{bits,board} core_{math,model,tracker}_test vision_geometry_test hal_test board_test wire_test \
-    packet_link_test receiver_test authentication_test hal_{libcamera,supervision,v4l2}_test bits_test \
+    packet_{inlet,link}_test receiver_test authentication_test hal_{libcamera,supervision,v4l2}_test bits_test \
     articam_firmware planted_{allowed,forbidden} articam-stack receiver_example; do
     of_the_board+=(--target "$target")
   done

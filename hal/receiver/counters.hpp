@@ -9,7 +9,8 @@
 namespace articam::receiver {
 
 struct Counters {
-  std::uint64_t packets{};                               ///< that reached the socket and were read
+  std::uint64_t packets{};                               ///< that came and were read
+  std::uint64_t broken_frames{};                         ///< on a serial line: no packets, only noise or parts of some
   std::uint64_t estimates{};                             ///< newer than all before them: taken
   std::uint64_t models{};                                ///< packets with the names of the model
   std::uint64_t lost{};                                  ///< numbers that never came, or more than 64 packets late

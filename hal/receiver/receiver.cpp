@@ -6,17 +6,24 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "hal/posix/monotonic_clock.hpp"
+#include "hal/posix/packet_inlet.hpp"
 #include "hal/receiver/intake.hpp"
 #include "hal/receiver/prediction.hpp"
+#include "hal/receiver/take_packets.hpp"
 #include "hal/receiver/triple_buffer.hpp"
-#include "hal/receiver/udp_inlet.hpp"
 
 namespace articam::receiver {
 namespace {
+
+constexpr std::chrono::milliseconds kLookUp{100};  // how soon stop() is noticed
 
 struct Heard {
   bool any{};
@@ -54,20 +61,40 @@ void give_up_real_time() noexcept {
 }  // namespace
 
 struct Receiver::Hearing {
-  explicit Hearing(const Options& options) : intake{options.model_hash, options.verifier} {}
+  Hearing(const wire::Address& from, const Options& options)
+      : address{from}, intake{options.model_hash, options.verifier} {}
 
   void run() noexcept {
-    constexpr int kLookUp_ms = 100;  // how soon stop() is noticed
     give_up_real_time();
-    while (!stopping.load(std::memory_order_relaxed)) {
-      const Status status = inlet.wait(kLookUp_ms);
-      if (status == Status::io_error) return;
-      if (status != Status::ok) continue;
-      inlet.read(intake, [this](Intake::Taken what, Timestamp t_receipt) { hand_over(what, t_receipt); });
+    while (!is_stopping()) {
+      Status status = inlet.wait(static_cast<int>(kLookUp.count()));
+      if (status == Status::ok) {
+        status = take_packets(inlet, intake, [this](auto what, Timestamp t_receipt) { hand_over(what, t_receipt); });
+      }
+      if (status == Status::io_error) mend(errno);
       counters.back() = intake.counters();
+      counters.back().broken_frames = inlet.broken_frames();
       counters.publish();
     }
   }
+
+  void mend(int error) noexcept {
+    ++failures;
+    do {
+      tell({Health::State::broken, error, failures});
+      std::this_thread::sleep_for(kLookUp);
+      if (is_stopping()) return;
+      error = inlet.open(address).empty() ? 0 : errno;
+    } while (error != 0);
+    tell({Health::State::listening, 0, failures});
+  }
+
+  void tell(const Health& now) noexcept {
+    health.back() = now;
+    health.publish();
+  }
+
+  bool is_stopping() const noexcept { return stopping.load(std::memory_order_relaxed); }
 
   void hand_over(Intake::Taken what, Timestamp t_receipt) noexcept {
     if (what == Intake::Taken::model) {
@@ -79,11 +106,14 @@ struct Receiver::Hearing {
     }
   }
 
-  UdpInlet inlet;
+  const wire::Address address;
+  hal::PacketInlet inlet;
   Intake intake;
+  std::uint64_t failures{};
   TripleBuffer<Heard> heard;
   TripleBuffer<Names> names;
   TripleBuffer<Counters> counters;
+  TripleBuffer<Health> health;
   std::atomic<bool> stopping{false};
   std::thread thread;
 };
@@ -103,8 +133,15 @@ Status Receiver::start(const Options& options) {
     return Status::bad_argument;
   }
   horizon_s_ = options.horizon_s;
-  auto hearing = std::make_unique<Hearing>(options);
-  if (const Status status = hearing->inlet.open(address, problem_); status != Status::ok) return status;
+  auto hearing = std::make_unique<Hearing>(address, options);
+  if (const auto failed = hearing->inlet.open(address); !failed.empty()) {
+    const int error = errno;
+    problem_ = hal::place_of(address).append(" ").append(failed);
+    if (error == 0) return Status::bad_argument;
+    problem_.append(": ").append(std::strerror(error));
+    return Status::io_error;
+  }
+  hearing->tell({.state = Health::State::listening});
   try {
     const SignalsBlocked blocked;
     hearing->thread = std::thread{[own = hearing.get()] { own->run(); }};
@@ -145,6 +182,8 @@ bool Receiver::model(wire::ModelMessage& out) noexcept {
 
 Counters Receiver::counters() noexcept { return hearing_ == nullptr ? Counters{} : hearing_->counters.newest(); }
 
-Timestamp Receiver::now() noexcept { return UdpInlet::now(); }
+Health Receiver::health() noexcept { return hearing_ == nullptr ? Health{} : hearing_->health.newest(); }
+
+Timestamp Receiver::now() noexcept { return hal::MonotonicClock{}.now(); }
 
 }  // namespace articam::receiver

@@ -8,6 +8,7 @@
 #include "core/status.hpp"
 #include "core/timestamp.hpp"
 #include "hal/receiver/counters.hpp"
+#include "hal/receiver/health.hpp"
 #include "hal/wire/address.hpp"
 #include "hal/wire/authentication.hpp"
 #include "hal/wire/message.hpp"
@@ -15,7 +16,7 @@
 namespace articam::receiver {
 
 struct Options {
-  std::string address{wire::kDefaultAddress};  ///< as the board has it, see hal/wire/address.hpp
+  std::string address{wire::kDefaultAddress};  ///< UDP or serial line, see hal/wire/address.hpp
   std::uint64_t model_hash{};                  ///< articam::model::table_hash of the model; 0 takes every one
   double horizon_s{0.1};                       ///< an estimate is predicted this far, and not farther
   wire::Verifier* verifier{};                  ///< authentication, off by default; outlives the receiver
@@ -30,7 +31,7 @@ enum class Freshness : std::uint8_t {
 struct Reading {
   Freshness freshness{Freshness::nothing};
   double age_s{};      ///< from the capture until now
-  double silence_s{};  ///< since the packet came
+  double silence_s{};  ///< since the packet came to this machine
   wire::EstimateMessage estimate{};
 
   /// A pose and joints to act on. Whether `tracking` is asked for, or `degraded` will do, is the controller's choice.
@@ -50,7 +51,7 @@ class Receiver {
   Receiver(const Receiver&) = delete;
   Receiver& operator=(const Receiver&) = delete;
 
-  /// Opens the socket and starts the thread. May allocate.
+  /// Opens the socket or the line and starts the thread. May allocate.
   /// Errors  bad_argument, io_error; problem() is then a sentence.
   Status start(const Options& options);
   void stop() noexcept;
@@ -63,6 +64,9 @@ class Receiver {
   bool model(wire::ModelMessage& out) noexcept;
   /// As they were after the last wake-up. For the same thread.
   Counters counters() noexcept;
+
+  /// For the same thread.
+  Health health() noexcept;
 
   /// CLOCK_MONOTONIC of this machine.
   static Timestamp now() noexcept;

@@ -1,14 +1,13 @@
 #include "tools/listen/source.hpp"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
+#include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/udp_ear.hpp"
 
 namespace articam::listen {
@@ -54,11 +53,11 @@ TEST(Source, HearsDatagramsOfEverySizeAndKnowsItsOwnMachine) {
   ASSERT_EQ(source.open(address), "");
   EXPECT_FALSE(source.receive(milliseconds{0}).has_value());
   const test::UdpEar mouth;
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, wire::kMaxPacketSize, std::size_t{20000}}) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, wire::kMaxPacketSize}) {
     ASSERT_TRUE(mouth.say(std::vector<std::uint8_t>(size, 7), address.port));
     const auto received = source.receive(milliseconds{1000});
     ASSERT_TRUE(received.has_value()) << size;
-    EXPECT_EQ(received->bytes.size(), std::min(size, wire::kMaxPacketSize + 1)) << "too long is told from just fitting";
+    EXPECT_EQ(received->bytes.size(), size);
     EXPECT_TRUE(received->same_machine);
   }
 }
@@ -80,63 +79,23 @@ TEST(Source, SharesAGroupWithOtherListeners) {
   EXPECT_EQ(second.open(address), "");
 }
 
-/// The board's end of a serial line, played by a pseudo terminal.
-class SerialSource : public testing::Test {
- protected:
-  void SetUp() override {
-    board_ = ::posix_openpt(O_RDWR | O_NOCTTY);
-    if (board_ < 0 || ::grantpt(board_) != 0 || ::unlockpt(board_) != 0) GTEST_SKIP() << "no pseudo terminal here";
-    ASSERT_EQ(parse_serial(::ptsname(board_), address_), "");
-    ASSERT_EQ(source_.open(address_), "");
-  }
-  void TearDown() override {
-    if (board_ >= 0) ::close(board_);
-  }
-  void say(const std::vector<std::uint8_t>& bytes) const {
-    EXPECT_EQ(::write(board_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-  }
-  std::vector<std::uint8_t> hear() {
-    for (int i = 0; i < 20; ++i) {
-      if (const auto received = source_.receive(milliseconds{100})) {
-        return {received->bytes.begin(), received->bytes.end()};
-      }
-    }
-    return {};
-  }
-
-  int board_{-1};
-  wire::Address address_;
-  Source source_;
-};
-
-TEST_F(SerialSource, TakesFramesApartThatCameInOnePieceOrInSeveral) {
-  const std::vector<std::uint8_t> first{1, 0, 2}, second{3, 3, 0, 0};
-  std::array<std::uint8_t, 32> frame{};
-  std::vector<std::uint8_t> stream{0};
-  for (const auto& packet : {first, second, first}) {
-    const auto size = wire::cobs_encode(packet, frame);
-    ASSERT_TRUE(size.ok());
-    stream.insert(stream.end(), frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size.value()));
-  }
-  const auto middle = static_cast<std::ptrdiff_t>(stream.size()) - 2;
-  say({stream.begin(), stream.begin() + middle});
-  EXPECT_EQ(hear(), first);
-  EXPECT_EQ(hear(), second);
-  say({stream.begin() + middle, stream.end()});
-  EXPECT_EQ(hear(), first);
-  EXPECT_EQ(source_.broken_frames(), 0u);
-}
-
-TEST_F(SerialSource, CountsBrokenFramesAndIsInStepAgainAfterThem) {
-  say({9, 1, 0, 3, 1, 2, 0});
-  EXPECT_EQ(hear(), (std::vector<std::uint8_t>{1, 2}));
-  EXPECT_EQ(source_.broken_frames(), 1u);
-}
-
-TEST_F(SerialSource, TellsThatTheLineIsGone) {
-  ::close(std::exchange(board_, -1));
-  EXPECT_EQ(hear(), std::vector<std::uint8_t>{});
-  EXPECT_NE(source_.problem(), "");
+TEST(Source, HearsASerialLineUntilItIsGone) {
+  test::PseudoTerminal board;
+  if (!board.works()) GTEST_SKIP() << "no pseudo terminal here";
+  wire::Address address;
+  ASSERT_EQ(parse_serial(board.path(), address), "");
+  Source source;
+  ASSERT_EQ(source.open(address), "");
+  const std::vector<std::uint8_t> packet{1, 0, 2};
+  ASSERT_TRUE(board.say(test::framed(packet)));
+  const auto received = source.receive(milliseconds{1000});
+  ASSERT_TRUE(received.has_value());
+  EXPECT_TRUE(std::ranges::equal(received->bytes, packet));
+  EXPECT_FALSE(received->same_machine) << "nobody knows who is at the other end";
+  EXPECT_EQ(source.problem(), "");
+  board.hang_up();
+  EXPECT_FALSE(source.receive(milliseconds{1000}).has_value());
+  EXPECT_NE(source.problem().find(address.device.data()), std::string::npos) << source.problem();
 }
 
 TEST(SerialLine, RefusesARateWithoutANameAndAFileThatIsNoLine) {
