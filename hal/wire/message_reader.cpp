@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "hal/wire/byte_order.hpp"
+#include "hal/wire/utf8.hpp"
 
 namespace articam::wire {
 namespace {
@@ -31,6 +32,12 @@ bool take_varint(Bytes& rest, std::uint64_t& x) noexcept {
   return false;
 }
 
+/// The tag of a field, or the size of what follows: 32 bits in five bytes at most, as protobuf has it.
+bool take_short_varint(Bytes& rest, std::uint64_t& x) noexcept {
+  const std::size_t before = rest.size();
+  return take_varint(rest, x) && before - rest.size() <= 5 && x <= std::numeric_limits<std::uint32_t>::max();
+}
+
 bool take_bytes(Bytes& rest, std::uint64_t size, Bytes& out) noexcept {
   if (size > rest.size()) return false;
   out = rest.first(static_cast<std::size_t>(size));
@@ -40,10 +47,7 @@ bool take_bytes(Bytes& rest, std::uint64_t size, Bytes& out) noexcept {
 
 bool take_field(Bytes& rest, Field& field) noexcept {
   std::uint64_t tag = 0;
-  const std::size_t before = rest.size();
-  if (!take_varint(rest, tag) || before - rest.size() > 5 || tag > std::numeric_limits<std::uint32_t>::max()) {
-    return false;
-  }
+  if (!take_short_varint(rest, tag)) return false;
   field = {.number = tag >> 3, .type = static_cast<WireType>(tag & 7)};
   if (field.number == 0) return false;
   std::uint64_t size = 0;
@@ -51,7 +55,7 @@ bool take_field(Bytes& rest, Field& field) noexcept {
     case WireType::varint:
       return take_varint(rest, field.value);
     case WireType::bytes:
-      return take_varint(rest, size) && take_bytes(rest, size, field.bytes);
+      return take_short_varint(rest, size) && take_bytes(rest, size, field.bytes);
     case WireType::fixed64:
       if (!take_bytes(rest, 8, field.bytes)) return false;
       field.value = load<std::uint64_t>(field.bytes.first<8>());
@@ -94,7 +98,7 @@ bool read(const Field& field, Text& text) noexcept {
   for (const std::uint8_t byte : field.bytes) {
     if (!text.push_back(static_cast<char>(byte))) return false;
   }
-  return field.type == WireType::bytes;
+  return field.type == WireType::bytes && is_utf8(field.bytes);
 }
 
 // Lists may come packed or one by one, and in several pieces.
@@ -107,14 +111,13 @@ bool append(const Field& field, FixedVector<double, N>& list) noexcept {
   }
   return true;
 }
-template <std::size_t N>
-bool append(const Field& field, FixedVector<tracker::Observability, N>& list) noexcept {
-  constexpr auto kLast = tracker::Observability::observed;
-  tracker::Observability x{};
-  if (field.type == WireType::varint) return read_enum(field, kLast, x) && list.push_back(x);
+template <class Enum, std::size_t N>
+bool append_enums(const Field& field, Enum last, FixedVector<Enum, N>& list) noexcept {
+  Enum x{};
+  if (field.type == WireType::varint) return read_enum(field, last, x) && list.push_back(x);
   Field item{.number = field.number, .type = WireType::varint};
   for (Bytes rest = field.bytes; !rest.empty();) {
-    if (!take_varint(rest, item.value) || !read_enum(item, kLast, x) || !list.push_back(x)) return false;
+    if (!take_varint(rest, item.value) || !read_enum(item, last, x) || !list.push_back(x)) return false;
   }
   return field.type == WireType::bytes;
 }
@@ -141,7 +144,7 @@ bool read_field(const Field& field, EstimateMessage& out) noexcept {
     case 12: return append(field, out.joints);
     case 13: return append(field, out.velocity);
     case 14: return append(field, out.covariance);
-    case 15: return append(field, out.observability);
+    case 15: return append_enums(field, tracker::Observability::observed, out.observability);
     case 16: return read(field, out.matched);
     case 17: return read(field, out.rms_px);
     case 18: return append(field, out.t_base_obj);

@@ -11,7 +11,8 @@ namespace articam::wire {
 
 /// One articam.wire.Packet in protobuf's encoding. Reads nothing beyond the span, whatever it holds, in one pass.
 /// Unknown fields are skipped, so that newer boards may add some. What protobuf would only tolerate (a known field of
-/// another wire type, a number too large for its field, two contents, groups) is refused.
+/// another wire type, a number too large for its field, two contents, groups) is refused, and so are names that are not
+/// UTF-8.
 /// Errors  malformed; unknown_schema. `out` is then half written.
 /// Source  protobuf.dev/programming-guides/encoding
 Fault parse_message(std::span<const std::uint8_t> payload, Message& out) noexcept;

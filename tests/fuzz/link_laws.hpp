@@ -8,6 +8,7 @@
 #include "hal/receiver/intake.hpp"
 #include "hal/wire/fault.hpp"
 #include "tests/fuzz/mutation.hpp"
+#include "tools/listen/decode.hpp"
 
 namespace articam::fuzz {
 
@@ -20,6 +21,7 @@ struct Tally {
 /// that the address sanitizer sees every read beyond it. Laws:
 ///   a damaged packet is refused, also when its checksum was made right again over a damaged header;
 ///   what is accepted passes every check, and the protobuf library reads the same message from it, to the last bit;
+///   the decoder of articam-listen takes what the controller's reader takes, and refuses the rest for the same reason;
 ///   a sound frame after any stream and a delimiter is heard;
 ///   a refused packet leaves the intake as it was, but for its counters.
 class LinkLaws {
@@ -33,15 +35,16 @@ class LinkLaws {
 
  private:
   Bytes valid_payload();
+  Bytes mutated_payload();
   std::string damaged_packet();
   std::string resealed_packet();
-  std::string body();
   std::string stream();
-  std::string judge(const Bytes& payload, wire::Fault fault, const wire::Message& message);
+  std::string judge(const Bytes& payload);
 
   test::Random random_;
   Tally tally_;
   receiver::Intake intake_;
+  listen::Decoder decoder_;
 };
 
 }  // namespace articam::fuzz

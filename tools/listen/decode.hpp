@@ -1,5 +1,6 @@
 #pragma once
-/// @file  Received bytes -> a message of articam.proto, by protobuf's own library.
+/// @file  Received bytes -> a message of articam.proto, by protobuf's own library, as strict as the controller's
+/// reader.
 
 #include <cstdint>
 #include <memory>
@@ -20,7 +21,7 @@ class Decoder {
 
   /// none when `out` is a message that may be used without another look; otherwise `out` is half written.
   wire::Fault decode(std::span<const std::uint8_t> packet, wire::Message& out);
-  /// The same from the payload alone.
+  /// The same from the payload alone: takes what wire::read_message takes, and reads the same.
   wire::Fault decode_payload(std::span<const std::uint8_t> payload, wire::Message& out);
 
  private:

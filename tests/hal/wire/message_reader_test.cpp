@@ -98,6 +98,17 @@ TEST(MessageReader, RefusesWhatIsNoMessage) {
                        "1234567")),
             Fault::malformed)
       << "longer than the message";
+  const std::string one_in_six_bytes("\x81\x80\x80\x80\x80\0", 6);
+  EXPECT_EQ(body("\xf2\x01" + one_in_six_bytes + "a"), Fault::malformed) << "a size that is padded too far";
+}
+
+TEST(MessageReader, TakesNamesOfUtf8Only) {
+  const auto named = [](const std::string& name) {
+    return verdict(in_packet(2, kSchemaField + field(4, 2, std::string(1, static_cast<char>(name.size())) + name)));
+  };
+  EXPECT_EQ(named("t\xc3\xbcr"), Fault::none);
+  EXPECT_EQ(named("t\xfcr"), Fault::malformed) << "Latin 1";
+  EXPECT_EQ(named("t\xc3"), Fault::malformed) << "half a character";
 }
 
 TEST(MessageReader, RefusesMoreNumbersThanThereIsRoomFor) {
