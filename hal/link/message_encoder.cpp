@@ -60,6 +60,7 @@ Result<std::size_t> encode_message(const wire::ModelMessage& m, std::span<std::u
   for (const wire::Text& name : m.joint_names) copy(name, to.joint_names[to.joint_names_count++]);
   to.rate_hz = m.rate_hz;
   copy(m.t_base_cam, to.t_base_cam, to.t_base_cam_count);
+  copy(m.joint_kinds, to.joint_kinds, to.joint_kinds_count);
   return encode(packet, out);
 }
 

@@ -78,6 +78,7 @@ class ToMessage {
       wire::Text text;
       detail::put_text(text, joint.name);
       detail::put(m.joint_names, text);
+      detail::put(m.joint_kinds, joint.kind);
     }
     m.rate_hz = rate_hz_;
     if (has_base_) detail::put_pose(m.t_base_cam, T_base_cam_);

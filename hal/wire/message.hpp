@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/fixed_vector.hpp"
+#include "core/model/model_table.hpp"
 #include "core/timestamp.hpp"
 #include "core/tracker/tracking_status.hpp"
 
@@ -60,7 +61,14 @@ struct ModelMessage {
   FixedVector<Text, kMaxJoints> joint_names{};
   double rate_hz{};  ///< nominal
   PoseNumbers t_base_cam{};
+  FixedVector<model::JointKind, kMaxJoints> joint_kinds{};  ///< as many as names; empty where the board does not tell
 };
+
+/// Of the values of a joint: rad or m; empty where the board does not tell.
+constexpr std::string_view unit(const ModelMessage& model, std::size_t joint) noexcept {
+  if (joint >= model.joint_kinds.size()) return "";
+  return model.joint_kinds[joint] == model::JointKind::prismatic ? "m" : "rad";
+}
 
 enum class MessageKind : std::uint8_t { none, estimate, model };
 

@@ -57,8 +57,9 @@ Fault check(const EstimateMessage& m) noexcept {
 
 Fault check(const ModelMessage& m) noexcept {
   const bool named = is_name(m.name) && std::ranges::all_of(m.joint_names, is_name);
-  const bool good = named && is_finite(m.rate_hz) && m.rate_hz >= 0 && (m.t_base_cam.empty() || is_pose(m.t_base_cam));
-  return good ? Fault::none : Fault::inconsistent;
+  const bool fits = m.joint_kinds.empty() || m.joint_kinds.size() == m.joint_names.size();
+  const bool sound = is_finite(m.rate_hz) && m.rate_hz >= 0 && (m.t_base_cam.empty() || is_pose(m.t_base_cam));
+  return named && fits && sound ? Fault::none : Fault::inconsistent;
 }
 
 }  // namespace articam::wire

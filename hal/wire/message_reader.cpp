@@ -163,6 +163,7 @@ bool read_field(const Field& field, ModelMessage& out) noexcept {
     case 5:  return append(field, out.joint_names);
     case 6:  return read(field, out.rate_hz);
     case 7:  return append(field, out.t_base_cam);
+    case 8:  return append_enums(field, model::JointKind::prismatic, out.joint_kinds);
     default: return true;
   }
   // clang-format on

@@ -61,7 +61,10 @@ inline wire::ModelMessage random_model(Random& random, std::size_t num_joints = 
   wire::ModelMessage m;
   m.session = static_cast<std::uint64_t>(random.uniform(0, 1e18)), m.model_hash = 7;
   m.name = text_of("cabinet");
-  for (std::size_t i = 0; i < num_joints; ++i) (void)m.joint_names.push_back(text_of("joint_" + std::to_string(i)));
+  for (std::size_t i = 0; i < num_joints; ++i) {
+    (void)m.joint_names.push_back(text_of("joint_" + std::to_string(i)));
+    (void)m.joint_kinds.push_back(static_cast<model::JointKind>(random.uniform(0, 3)));
+  }
   m.rate_hz = random.uniform(1, 120);
   if (random.uniform(0, 1) < 0.5) fill_pose(m.t_base_cam, random);
   return m;
@@ -94,6 +97,7 @@ inline std::string by_protobuf(const wire::ModelMessage& m) {
   for (const wire::Text& name : m.joint_names) out.add_joint_names(std::string{wire::view(name)});
   out.set_rate_hz(m.rate_hz);
   for (const double x : m.t_base_cam) out.add_t_base_cam(x);
+  for (const auto x : m.joint_kinds) out.add_joint_kinds(static_cast<wire::JointKind>(x));
   return packet.SerializeAsString();
 }
 

@@ -21,6 +21,7 @@ static_assert(wire::Status_MAX == static_cast<int>(tracker::TrackingStatus::faul
 static_assert(wire::Reason_MAX == static_cast<int>(tracker::Reason::late_result));
 static_assert(wire::Observability_MAX == static_cast<int>(tracker::Observability::observed));
 
+static_assert(wire::JointKind_MAX == static_cast<int>(model::JointKind::prismatic));
 
 /// False when there are more than the capacity of articam.options: no board sends that.
 template <class From, class T, std::size_t N>
@@ -58,7 +59,7 @@ Fault convert(const wire::Estimate& in, wire::EstimateMessage& out) {
 Fault convert(const wire::Model& in, wire::ModelMessage& out) {
   out.schema = in.schema(), out.session = in.session(), out.model_hash = in.model_hash(), out.rate_hz = in.rate_hz();
   const bool fits = fill(in.name(), out.name) && fill_names(in.joint_names(), out.joint_names) &&
-                    fill(in.t_base_cam(), out.t_base_cam);
+                    fill(in.t_base_cam(), out.t_base_cam) && fill(in.joint_kinds(), out.joint_kinds);
   return fits ? wire::check(out) : Fault::malformed;
 }
 

@@ -32,6 +32,7 @@ void add_numbers(Json& json, const Heard& heard) {
     const bool is_joint = i >= 6;
     const std::string name{is_joint ? wire::view(heard.model.joint_names[i - 6]) : kNames[i]};
     if (is_joint) json["joints"][name] = e.joints[i - 6];
+    if (is_joint && !heard.model.joint_kinds.empty()) json["units"][name] = wire::unit(heard.model, i - 6);
     json["velocity"][name] = e.velocity[i];
     json["std"][name] = deviation(e, i);
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 namespace articam::listen {
 
@@ -17,7 +18,9 @@ std::string line(const Heard& heard) {
       fmt::format("{:10.3f} s  frame {:<6} {:<22}", seconds_between(heard.t_first, e.t_capture), e.frame, status);
   if (e.valid) {
     for (std::size_t j = 0; j < e.joints.size(); ++j) {
-      line += fmt::format("  {} {:.5f}", wire::view(heard.model.joint_names[j]), e.joints[j]);
+      const std::string_view unit = wire::unit(heard.model, j);
+      line += fmt::format("  {} {:.5f}{}{}", wire::view(heard.model.joint_names[j]), e.joints[j],
+                          unit.empty() ? "" : " ", unit);
     }
     line += fmt::format("  at {:.4f} {:.4f} {:.4f} m", e.t_cam_obj[0], e.t_cam_obj[1], e.t_cam_obj[2]);
   }

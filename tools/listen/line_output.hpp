@@ -7,8 +7,8 @@
 
 namespace articam::listen {
 
-/// Time since the session's first estimate, frame, status and its reason, joints, place of the object, markers,
-/// residual and age. Joints are in rad or m, whatever their kind: the link does not tell it.
+/// Time since the session's first estimate, frame, status and its reason, joints with their units, place of the
+/// object, markers, residual and age. A board that does not tell the joints' kinds leaves the units open.
 std::string line(const Heard& heard);
 
 /// To standard output.

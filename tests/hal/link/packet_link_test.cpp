@@ -150,6 +150,7 @@ TEST(PacketLink, SendsTheModelFirstAndThenOnceASecond) {
   EXPECT_EQ(wire::view(ear.model.name), "printer_drawer");
   ASSERT_EQ(ear.model.joint_names.size(), 2u);
   EXPECT_EQ(wire::view(ear.model.joint_names[1]), "marker_distance");
+  EXPECT_EQ(wire::unit(ear.model, 0), "m") << "the drawer slides";
   EXPECT_EQ(ear.model.rate_hz, 30);
   EXPECT_EQ(ear.model.session, 5u);
 }

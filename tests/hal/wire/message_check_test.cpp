@@ -98,6 +98,26 @@ TEST(MessageCheck, FindsNamesThatWouldUpsetATerminalOrATable) {
   EXPECT_EQ(wire::check(m), Fault::none);
 }
 
+TEST(MessageCheck, FindsKindsThatAreNotAsManyAsTheJoints) {
+  test::Random random{8};
+  wire::ModelMessage m = test::random_model(random, 2);
+  EXPECT_EQ(wire::check(m), Fault::none);
+  m.joint_kinds.clear();
+  EXPECT_EQ(wire::check(m), Fault::none) << "a board that does not tell them";
+  ASSERT_TRUE(m.joint_kinds.push_back(model::JointKind::revolute));
+  EXPECT_EQ(wire::check(m), Fault::inconsistent);
+}
+
+TEST(Unit, IsThatOfTheJointsKind) {
+  using enum model::JointKind;
+  wire::ModelMessage m;
+  for (const auto kind : {revolute, continuous, prismatic}) ASSERT_TRUE(m.joint_kinds.push_back(kind));
+  EXPECT_EQ(wire::unit(m, 0), "rad");
+  EXPECT_EQ(wire::unit(m, 1), "rad");
+  EXPECT_EQ(wire::unit(m, 2), "m");
+  EXPECT_EQ(wire::unit(m, 3), "") << "not told";
+}
+
 TEST(MessageCheck, FindsAModelWithARateOrAPoseThatIsNone) {
   test::Random random{6};
   wire::ModelMessage m = test::random_model(random);

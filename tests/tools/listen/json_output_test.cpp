@@ -26,6 +26,7 @@ TEST(JsonOutput, SaysEveryNumberByItsName) {
   EXPECT_EQ(json["rms_px"], e.rms_px);
   EXPECT_EQ(json["age_s"], 0.03);
   EXPECT_EQ(json["joints"]["joint_1"], e.joints[1]);
+  EXPECT_EQ(json["units"]["joint_1"], wire::unit(made_up.model, 1));
   EXPECT_EQ(json["velocity"]["rx"], e.velocity[3]);
   EXPECT_EQ(json["velocity"]["joint_0"], e.velocity[6]);
   EXPECT_EQ(json["std"]["joint_0"], std::sqrt(made_up.covariance(6, 6)));
@@ -36,6 +37,8 @@ TEST(JsonOutput, SaysEveryNumberByItsName) {
 TEST(JsonOutput, LeavesOutWhatIsNotKnown) {
   test::Random random{26};
   test::MadeUp made_up{random};
+  made_up.model.joint_kinds.clear();
+  EXPECT_FALSE(nlohmann::json::parse(to_json(made_up.heard())).contains("units"));
   test::make_invalid(made_up.estimate);
   const auto json = nlohmann::json::parse(to_json(made_up.heard()));
   EXPECT_EQ(json["status_name"], "lost");

@@ -15,11 +15,22 @@ TEST(Line, NamesStatusReasonJointsAndAge) {
   auto& e = made_up.estimate;
   e.status = tracker::TrackingStatus::degraded, e.reason = tracker::Reason::weak_joint;
   e.frame = 371, e.joints[1] = 0.12345, e.rms_px = 0.25;
+  made_up.model.joint_kinds[0] = model::JointKind::revolute;
+  made_up.model.joint_kinds[1] = model::JointKind::prismatic;
   const std::string text = line(made_up.heard());
   EXPECT_TRUE(says(text, "1.500 s  frame 371 ")) << text;
   EXPECT_TRUE(says(text, "degraded (weak_joint)")) << text;
-  EXPECT_TRUE(says(text, "joint_1 0.12345")) << text;
+  EXPECT_TRUE(says(text, "joint_1 0.12345 m  ")) << text;
+  EXPECT_TRUE(says(text, " rad  joint_1 ")) << text;
   EXPECT_TRUE(says(text, "6 markers 0.25 px  age 30.0 ms")) << text;
+}
+
+TEST(Line, LeavesTheUnitsOpenWhereTheBoardDoesNotTellTheKinds) {
+  test::Random random{29};
+  test::MadeUp made_up{random};
+  made_up.model.joint_kinds.clear();
+  made_up.estimate.joints[1] = 0.12345;
+  EXPECT_TRUE(says(line(made_up.heard()), "joint_1 0.12345  at "));
 }
 
 TEST(Line, ShowsNoNumbersOfAnEstimateThatIsNotValidAndNoExactAgeThatIsNotExact) {
