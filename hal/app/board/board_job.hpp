@@ -18,6 +18,7 @@
 #include "hal/app/board/statistics.hpp"
 #include "hal/app/start.hpp"
 #include "hal/firmware.hpp"
+#include "hal/link/tee_link.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 #include "hal/posix/realtime.hpp"
 #include "hal/record/recording_ports.hpp"
@@ -46,7 +47,7 @@ class BoardJob {
     hal::RecordingCamera recording_camera{camera, recorder_};
     hal::RecordingClock recording_clock{clock_, recorder_};
     hal::RecordingTracker recording_tracker{tracker_, recorder_};
-    hal::RunLoop loop{recording_camera, recording_clock, link_, recording_tracker, times_};
+    hal::RunLoop loop{recording_camera, recording_clock, tee_, recording_tracker, times_};
     Statistics statistics{!options_.quiet};
     for (const auto& warning : {hal::lock_memory(), options_.cpu ? hal::bind_to_cpu(*options_.cpu) : std::string{},
                                 options_.priority > 0 ? hal::set_fifo_priority(options_.priority) : std::string{}}) {
@@ -101,7 +102,7 @@ class BoardJob {
       const hal::Tick tick = loop.run_once();
       if (tick == hal::Tick::ended) return;
       const Timestamp now = clock_.now();
-      const Estimate& estimate = link_.latest();
+      const Estimate& estimate = tee_.latest();
       statistics.add({now, tick, estimate.t_capture, estimate.status, estimate.reason}, loop.counters());
       watchdog.feed(std::chrono::steady_clock::time_point{std::chrono::nanoseconds{now.ns}});
       if (options_.num_frames > 0 && loop.counters().frames >= options_.num_frames) return;
@@ -133,6 +134,7 @@ class BoardJob {
   Tracker tracker_;
   hal::Recorder recorder_;
   BoardLink<Estimate> link_;
+  hal::TeeLink<Estimate, BoardLink<Estimate>> tee_{link_};  // the newest one also to the statistics
 };
 
 }  // namespace articam::app

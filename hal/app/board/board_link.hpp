@@ -1,5 +1,5 @@
 #pragma once
-/// @file  Where the board's estimates go: to the controller, to the terminal, and the newest one to the statistics.
+/// @file  Where the board's estimates go: to the controller or to the terminal.
 
 #include <unistd.h>
 
@@ -49,14 +49,11 @@ class BoardLink<tracker::Estimate<Model, S>> {
   }
 
   Status publish(const Estimate& estimate) noexcept {
-    latest_ = estimate;
     if (!to_terminal_) return packets_->publish(estimate);
     line_.clear();
     hal::put_csv_row(estimate, line_);
     return write_line();
   }
-
-  const Estimate& latest() const noexcept { return latest_; }
 
  private:
   std::string open_signer(const BoardOptions& options) {
@@ -80,7 +77,6 @@ class BoardLink<tracker::Estimate<Model, S>> {
   std::optional<hal::PacketLink<Estimate, hal::AddressTransport, hal::MonotonicClock>> packets_;
   bool to_terminal_{false};
   hal::CsvLine<Model> line_;
-  Estimate latest_{};
 };
 
 }  // namespace articam::app

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -19,6 +21,11 @@ using hal::Inbound;
 using hal::PacketInlet;
 
 Timestamp now() { return hal::MonotonicClock{}.now(); }
+
+std::int64_t wall_ns() {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count();
+}
 
 class UdpInlet : public testing::Test {
  protected:
@@ -58,7 +65,7 @@ TEST_F(UdpInlet, HearsDatagramsOfEverySizeAndWhoHasSentThem) {
   }
 }
 
-TEST_F(UdpInlet, APacketIsAsOldAsItIsHoweverLateItIsRead) {
+TEST_F(UdpInlet, APacketIsAsOldAsItIsHoweverLateItIsReadOnBothClocks) {
   constexpr int kOn = 1;
   const int probe = ::socket(AF_INET, SOCK_DGRAM, 0);
   const bool stamps = ::setsockopt(probe, SOL_SOCKET, SO_TIMESTAMPNS, &kOn, sizeof kOn) == 0;
@@ -69,17 +76,11 @@ TEST_F(UdpInlet, APacketIsAsOldAsItIsHoweverLateItIsRead) {
   for (int attempt = 0; attempt < 100 && !is_stamped; ++attempt) {
     const Inbound in = pass({1}, std::chrono::milliseconds{20});
     EXPECT_LE(in.t_receipt, now());
-    is_stamped = in.t_receipt <= sent_;  // on loopback a packet has come when it is sent
+    const auto apart_ns = in.t_receipt_wall_ns - in.t_receipt.ns - (wall_ns() - now().ns);
+    // On loopback a packet has come when it is sent. Half of the wait is far more than two readings are apart.
+    is_stamped = in.t_receipt <= sent_ && std::abs(apart_ns) < 10'000'000;
   }
   EXPECT_TRUE(is_stamped);
-}
-
-TEST_F(UdpInlet, BothTimesOfAReceiptAreOneMoment) {
-  const auto wall_less_monotonic = [](const Inbound& in) { return in.t_receipt_wall_ns - in.t_receipt.ns; };
-  const auto first = wall_less_monotonic(pass({1}, std::chrono::milliseconds{20}));
-  const auto second = wall_less_monotonic(pass({1}));
-  // Within an hour: that is no time zone, and far more than the 20 ms by which the two were read late.
-  EXPECT_LT(std::abs(first - second), 3'600'000'000'000);
 }
 
 TEST_F(UdpInlet, SaysWhyAnAddressCannotBeListenedTo) {
