@@ -22,8 +22,8 @@ Examples
   articam-listen --quiet --json-udp               for PlotJuggler: UDP Server, port 9870, json, field timestamp
   articam-listen --once --timeout 5               does the board send?
 
-Joints are in rad or, where they slide, in m; poses in m, x right, y down, z forward of the camera. Files hold what was heard up to the
-last estimate, even if the program is killed.
+Joints are in rad or, where they slide, in m; poses in m, x right, y down, z forward of the camera. Files hold what was
+heard up to the last estimate, even if the program is killed.
 Exit codes: 0 done, 1 nothing (or fewer than --count) was heard or an output failed, 2 wrong usage.)";
 
 struct Texts {

@@ -6,80 +6,30 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <set>
 #include <string>
 #include <thread>
 
 #include "hal/wire/message_reader.hpp"
+#include "tests/hal/receiver/receiver_fixture.hpp"
 #include "tests/support/heap_trap.hpp"
-#include "tests/support/pseudo_terminal.hpp"
-#include "tests/support/udp_ear.hpp"
-#include "tests/support/wire_messages.hpp"
-
-namespace {
-std::atomic<int> failure_of_recvmsg{0};  ///< errno; 0: the system's own answer
-}
-
-/// Stands before the system's.
-extern "C" ssize_t recvmsg(int descriptor, msghdr* message, int flags) {
-  if (const int error = failure_of_recvmsg; error != 0) return errno = error, -1;
-  return ::syscall(SYS_recvmsg, descriptor, message, flags);
-}
 
 namespace articam {
 namespace {
 
 using receiver::Freshness;
-using receiver::Health;
 using receiver::Reading;
 using receiver::Receiver;
-
-std::uint16_t free_port() { return test::UdpEar{}.port(); }
-
-/// Captured 20 ms before it was sent; the first joint moves at 1 m/s.
-wire::EstimateMessage moving(std::uint32_t number) {
-  test::Random random{51};
-  wire::EstimateMessage m = test::random_estimate(random);
-  m.session = 1, m.number = number, m.model_hash = 9;
-  m.t_capture = {123'000'000'000}, m.t_send = {123'020'000'000};  // the board's clock, far from ours
-  m.status = tracker::TrackingStatus::tracking;
-  m.joints[0] = 0.1, m.velocity[6] = 1;
-  return m;
-}
-
-/// Waits up to 5 s for a state that must come; the law is in the state, not in the time.
-template <class Condition>
-bool comes(Condition condition) {
-  for (int k = 0; k < 5000 && !condition(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  return condition();
-}
-
-class ReceiverTest : public testing::Test {
- protected:
-  void start() {
-    options_.address = "udp://127.0.0.1:" + std::to_string(port_);
-    ASSERT_EQ(receiver_.start(options_), Status::ok) << receiver_.problem();
-  }
-  void send(const wire::EstimateMessage& m) { ASSERT_TRUE(sender_.say(test::packet_of(m), port_)); }
-  bool hears(std::uint32_t number) {
-    return comes([&] { return receiver_.newest().estimate.number == number; });
-  }
-
-  const std::uint16_t port_ = free_port();
-  receiver::Options options_;
-  Receiver receiver_;
-  test::UdpEar sender_;
-};
+using test::comes;
+using test::moving;
+using test::ReceiverTest;
 
 TEST_F(ReceiverTest, HasNothingToFollowBeforeTheFirstPacketAndBeforeTheStart) {
   EXPECT_EQ(receiver_.newest().freshness, Freshness::nothing);
@@ -225,97 +175,6 @@ TEST_F(ReceiverTest, SaysWhyItCannotStart) {
   options_.address = "udp://127.0.0.1", options_.horizon_s = -1;
   EXPECT_EQ(receiver_.start(options_), Status::bad_argument);
   EXPECT_NE(receiver_.problem().find("horizon"), std::string::npos) << receiver_.problem();
-}
-
-TEST_F(ReceiverTest, IsHealthyWhileItListensHoweverSilentTheBoardIs) {
-  EXPECT_EQ(receiver_.health(), Health{});
-  start();
-  EXPECT_EQ(receiver_.health(), (Health{Health::State::listening, 0, 0}));
-  send(moving(1));
-  ASSERT_TRUE(hears(1));
-  EXPECT_EQ(receiver_.health(), (Health{Health::State::listening, 0, 0}));
-  receiver_.stop();
-  EXPECT_EQ(receiver_.health().state, Health::State::stopped);
-}
-
-TEST_F(ReceiverTest, ASocketThatFailsIsOpenedAnewAndHeardAgain) {
-  start();
-  send(moving(1));
-  ASSERT_TRUE(hears(1));
-  failure_of_recvmsg = ENETDOWN;
-  send(moving(2));
-  ASSERT_TRUE(comes([&] { return receiver_.health().failures == 1; }));
-  failure_of_recvmsg = 0;
-  ASSERT_TRUE(comes([&] { return receiver_.health().state == Health::State::listening; }));
-  send(moving(3));
-  EXPECT_TRUE(hears(3));
-}
-
-/// A board on a serial line whose adapter can be unplugged: the path stays, what it leads to does not.
-class SerialReceiverTest : public ReceiverTest {
- protected:
-  void SetUp() override {
-    plug_in();
-    if (!board_->works()) GTEST_SKIP() << "no pseudo terminal here";
-    options_.address = "serial://" + path_.string() + "?baud=115200";
-    ASSERT_EQ(receiver_.start(options_), Status::ok) << receiver_.problem();
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-  void plug_in() {
-    board_.emplace();
-    if (!board_->works()) return;
-    std::filesystem::remove(path_);
-    std::filesystem::create_symlink(board_->path(), path_);
-  }
-  void unplug() {
-    std::filesystem::remove(path_);
-    board_.reset();
-  }
-  void say(std::uint32_t number) { ASSERT_TRUE(board_->say(test::framed(test::packet_of(moving(number))))); }
-  bool is(Health::State state) {
-    return comes([&] { return receiver_.health().state == state; });
-  }
-
-  const std::filesystem::path path_{std::filesystem::temp_directory_path() /
-                                    ("articam_line_" + std::to_string(::getpid()))};
-  std::optional<test::PseudoTerminal> board_;
-};
-
-TEST_F(SerialReceiverTest, HearsABoardOnASerialLineThroughNoise) {
-  for (const std::uint32_t number : {1u, 2u, 3u}) {
-    ASSERT_TRUE(board_->say(test::Bytes{200, 1, 2, 0}));
-    say(number);
-  }
-  ASSERT_TRUE(hears(3));
-  ASSERT_TRUE(comes([&] { return receiver_.counters().estimates == 3; }));
-  EXPECT_EQ(receiver_.counters().broken_frames, 3u);
-  EXPECT_EQ(receiver_.counters().lost, 0u);
-  const Reading reading = receiver_.newest();
-  EXPECT_NEAR(reading.age_s, 0.02 + reading.silence_s, 1e-12);  // a rounding of numbers below 1
-}
-
-TEST_F(SerialReceiverTest, AnUnpluggedLineIsBrokenForAReasonAndHeardAgainOnceItIsBack) {
-  say(1);
-  ASSERT_TRUE(hears(1));
-  unplug();
-  ASSERT_TRUE(is(Health::State::broken));
-  EXPECT_TRUE(comes([&] { return receiver_.health().error == ENOENT; })) << "EIO first, then there is no such file";
-  EXPECT_EQ(receiver_.newest().estimate.number, 1u) << "the last one stays, and becomes stale";
-  plug_in();
-  ASSERT_TRUE(is(Health::State::listening));
-  EXPECT_EQ(receiver_.health(), (Health{Health::State::listening, 0, 1}));
-  say(2);
-  EXPECT_TRUE(hears(2));
-  EXPECT_EQ(receiver_.counters().sessions, 1u);
-}
-
-TEST_F(SerialReceiverTest, CanBeStoppedWhileItsLineIsGone) {
-  unplug();
-  ASSERT_TRUE(is(Health::State::broken));
-  receiver_.stop();
-  EXPECT_EQ(receiver_.health(), Health{});
-  EXPECT_EQ(receiver_.start(options_), Status::io_error);
-  EXPECT_NE(receiver_.problem().find(path_), std::string::npos) << receiver_.problem();
 }
 
 /// The numbers of this program's threads.
