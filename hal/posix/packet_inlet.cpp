@@ -26,6 +26,13 @@ bool set(int descriptor, int level, int option, const T& value) noexcept {
   return ::setsockopt(descriptor, level, option, &value, sizeof value) == 0;
 }
 
+/// Also again: then it fails where we still belong to the group, and does no harm.
+bool join(int descriptor, const wire::Address& group) noexcept {
+  const ip_mreq request{.imr_multiaddr = {std::bit_cast<in_addr_t>(group.host)},
+                        .imr_interface = {std::bit_cast<in_addr_t>(group.via)}};
+  return set(descriptor, IPPROTO_IP, IP_ADD_MEMBERSHIP, request);
+}
+
 /// Empty, or what could not be done.
 std::string_view listen(int descriptor, const wire::Address& address, int queue_bytes) noexcept {
   constexpr int kOn = 1;
@@ -38,8 +45,7 @@ std::string_view listen(int descriptor, const wire::Address& address, int queue_
   // Several programs may listen to a group, never to a port: the kernel would give each packet to one of them only.
   if (address.is_multicast() && !set(descriptor, SOL_SOCKET, SO_REUSEADDR, kOn)) return "cannot share the port";
   if (::bind(descriptor, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0) return "cannot be listened to";
-  const ip_mreq group{.imr_multiaddr = own.sin_addr, .imr_interface = {std::bit_cast<in_addr_t>(address.via)}};
-  if (address.is_multicast() && !set(descriptor, IPPROTO_IP, IP_ADD_MEMBERSHIP, group)) {
+  if (address.is_multicast() && !join(descriptor, address)) {
     return "cannot be joined; with ?via=ADDRESS you choose the interface";
   }
   return {};
@@ -72,8 +78,8 @@ Status why_nothing() noexcept { return errno == EAGAIN || errno == EINTR ? Statu
 std::string_view PacketInlet::open(const wire::Address& address, int queue_bytes) noexcept {
   close();
   errno = 0;
-  is_serial_ = address.kind == wire::Address::Kind::serial;
-  if (is_serial_) {
+  address_ = address;
+  if (is_serial()) {
     const auto line = open_serial_line(address, O_RDONLY);
     if (line.ok()) descriptor_ = line.value();
     if (line.status() == Status::bad_argument) return "has no such rate: take one such as 115200 or 921600";
@@ -99,10 +105,12 @@ Status PacketInlet::wait(int milliseconds) noexcept {
   pollfd ready{.fd = descriptor_, .events = POLLIN, .revents = 0};
   const int count = ::poll(&ready, 1, milliseconds);
   if (count < 0) return why_nothing();
+  // An interface that goes takes the membership with it, without a word, and does not bring it back.
+  if (count == 0 && address_.is_multicast()) join(descriptor_, address_);
   return count > 0 ? Status::ok : Status::timeout;
 }
 
-Status PacketInlet::next(Inbound& out) noexcept { return is_serial_ ? next_frame(out) : next_datagram(out); }
+Status PacketInlet::next(Inbound& out) noexcept { return is_serial() ? next_frame(out) : next_datagram(out); }
 
 Status PacketInlet::next_datagram(Inbound& out) noexcept {
   sockaddr_in from{};

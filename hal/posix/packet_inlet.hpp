@@ -39,8 +39,8 @@ class PacketInlet {
   std::string_view open(const wire::Address& address, int queue_bytes = 0) noexcept;
   void close() noexcept;
 
-  /// Until there is something to read.
-  /// Errors  timeout, also when a signal came; io_error.
+  /// Until there is something to read. A group that is silent for so long is joined again, because its interface may
+  /// have gone and come back. Errors  timeout, also when a signal came; io_error.
   Status wait(int milliseconds) noexcept;
 
   /// Never waits, and makes one call of the system at most.
@@ -55,9 +55,10 @@ class PacketInlet {
   Status next_datagram(Inbound& out) noexcept;
   Status next_frame(Inbound& out) noexcept;
   bool take_frame() noexcept;
+  bool is_serial() const noexcept { return address_.kind == wire::Address::Kind::serial; }
 
   int descriptor_{-1};
-  bool is_serial_{};
+  wire::Address address_{};
   std::array<std::uint8_t, wire::kMaxPacketSize + 1> buffer_{};  ///< one more, so that an over-long one is seen
   std::size_t next_{}, end_{};                                   ///< what the decoder has not yet taken of it
   wire::CobsDecoder<wire::kMaxPacketSize> decoder_{};

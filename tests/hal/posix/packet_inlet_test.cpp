@@ -1,6 +1,7 @@
 #include "hal/posix/packet_inlet.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "hal/link/udp_transport.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 #include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/udp_ear.hpp"
@@ -99,6 +101,44 @@ TEST(GroupInlet, SharesAGroupWithOthers) {
   PacketInlet first, second;
   if (!first.open(group).empty()) GTEST_SKIP() << "no multicast here";
   EXPECT_EQ(second.open(group), "");
+}
+
+/// Such as a USB adapter. False where this system lets nobody do that.
+bool plug_in_interface() {
+  return std::system(
+             "(ip link add board0 type veth peer name board1 && ip address add 10.9.9.1/24 dev board0 &&"
+             " ip link set board0 up && ip link set board1 up) 2>/dev/null") == 0;
+}
+
+TEST(GroupInlet, IsHeardAgainOnceItsInterfaceHasGoneAndComeBack) {
+  bool possible = false, heard_before = false, heard_after = false;
+  std::thread network_of_its_own{[&] {
+    if (::unshare(CLONE_NEWNET) != 0 || !plug_in_interface()) return;
+    possible = true;
+    wire::Address group;
+    EXPECT_EQ(wire::parse_address("udp://239.1.1.1?via=10.9.9.1", group), "");
+    PacketInlet inlet;
+    EXPECT_EQ(inlet.open(group), "");
+    const auto hears = [&] {
+      hal::UdpTransport board;
+      EXPECT_EQ(board.open(group), Status::ok);
+      for (int turn = 0; turn < 50; ++turn) {
+        (void)board.send(Bytes{1});
+        if (inlet.wait(20) == Status::ok) return true;
+      }
+      return false;
+    };
+    heard_before = hears();
+    Inbound in;
+    while (inlet.next(in) == Status::ok) continue;
+    EXPECT_EQ(std::system("ip link delete board0"), 0);
+    EXPECT_TRUE(plug_in_interface());
+    heard_after = hears();
+  }};
+  network_of_its_own.join();
+  if (!possible) GTEST_SKIP() << "no network of our own can be made here: that takes root and iproute2";
+  EXPECT_TRUE(heard_before);
+  EXPECT_TRUE(heard_after);
 }
 
 class SerialInlet : public testing::Test {
