@@ -35,21 +35,21 @@ class PacketInlet {
 
   /// A group is joined; the address of a host must be one of this machine, or 0.0.0.0 for all of them. `queue_bytes`:
   /// asked of the kernel for the packets that wait; 0 leaves it as the system has it. No heap.
-  /// Empty, or why not; errno says more, unless it is 0.
+  /// Returns nothing, or why not; errno says more, unless it is 0.
   std::string_view open(const wire::Address& address, int queue_bytes = 0) noexcept;
   void close() noexcept;
 
-  /// Until there is something to read. A group that is silent for so long is joined again, because its interface may
-  /// have gone and come back. Errors  timeout, also when a signal came; io_error.
+  /// Until there is something to read.
+  /// Errors  timeout, also when a signal came; io_error. At a timeout a group is joined again, because its interface
+  /// may have gone and come back.
   Status wait(int milliseconds) noexcept;
 
   /// Never waits, and makes one call of the system at most.
   /// Errors  timeout: no whole packet for now; io_error: errno says why. A serial line is then gone for good.
   Status next(Inbound& out) noexcept;
 
-  std::uint64_t broken_frames() const noexcept {
-    return broken_frames_;
-  }  ///< of a serial line: no COBS frame, too long
+  /// Of a serial line: what stood between two delimiters and was no COBS frame, or too long.
+  std::uint64_t broken_frames() const noexcept { return broken_frames_; }
 
  private:
   Status next_datagram(Inbound& out) noexcept;

@@ -42,6 +42,8 @@ TEST(Floors, NothingIncludesAFloorAbove) {
 TEST(Floors, ImplementationsOfThePortsNeverIncludeEachOther) {
   EXPECT_EQ(findings("hal/replay/a.cpp", "#include \"hal/replay/a.hpp\"\n#include <filesystem>"), "");
   EXPECT_NE(findings("hal/replay/a.cpp", "#include \"hal/link/a.hpp\""), "");
+  EXPECT_EQ(findings("hal/replay/a.cpp", "#include \"hal/posix/a.hpp\""), "") << "all may stand on that";
+  EXPECT_NE(findings("hal/posix/a.cpp", "#include \"hal/replay/a.hpp\""), "");
   EXPECT_NE(findings("hal/replay/a.cpp", "#include \"host_sim/world/a.hpp\""), "");
   EXPECT_NE(findings("host_sim/world/a.cpp", "#include \"hal/replay/a.hpp\""), "");
 }
