@@ -1,6 +1,7 @@
 #pragma once
 /// @file  Which camera, and which settings, before anything is configured.
 
+#include "hal/capture/start_problem.hpp"
 #include "hal/libcamera/capture_device.hpp"
 #include "hal/libcamera/libcamera_camera.hpp"
 

@@ -7,16 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/status.hpp"
 #include "core/timestamp.hpp"
 
 namespace articam::hal {
-
-/// Thrown before the capture runs, by the device and by what judges it; LibcameraCamera::start() stops it.
-struct StartProblem {
-  Status status;
-  std::string reason;
-};
 
 /// One buffer that came back, before anybody has read a pixel of it.
 struct CompletedBuffer {
@@ -30,7 +23,7 @@ struct CompletedBuffer {
   Health health{};
   std::uint32_t sequence{};
   Timestamp stamp{};           ///< the library's sensor time stamp
-  std::int64_t exposure_ns{};  ///< 0 where the camera does not say
+  std::int64_t exposure_ns{};  ///< 0 where the camera does not tell
   std::size_t bytes_used{};    ///< of the first plane
 };
 
@@ -68,7 +61,7 @@ struct Controls {
   std::optional<std::int64_t> period_us;    ///< else the camera's own
 };
 
-/// Called in the order written. All but queue throw StartProblem (or what the library throws) on failure.
+/// Called in the order written. What is not noexcept throws StartProblem (or what the library throws) on failure.
 class CaptureDevice {
  public:
   virtual ~CaptureDevice() = default;
@@ -76,7 +69,11 @@ class CaptureDevice {
   virtual Abilities open(const std::string& id) = 0;
   virtual Stream configure(std::uint32_t format, int width_px, int height_px, int buffers) = 0;
   virtual void start(const Controls& controls, CaptureEvents& events) = 0;  ///< with every buffer queued
-  virtual bool queue(int buffer) noexcept = 0;                              ///< any thread; false: it is lost
+  /// The processor's view of a buffer is made current, and given up. One at a time; neither takes heap or lock.
+  virtual void begin_reading(int buffer) noexcept = 0;
+  virtual void end_reading(int buffer) noexcept = 0;
+  /// Any thread, but not the loop's: the library locks and allocates. False: the buffer is lost.
+  virtual bool queue(int buffer) noexcept = 0;
   /// Gives everything back; allowed in any state. No event comes after it has returned.
   virtual void close() noexcept = 0;
 };

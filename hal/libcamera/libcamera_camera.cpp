@@ -1,22 +1,14 @@
 #include "hal/libcamera/libcamera_camera.hpp"
 
-#include <time.h>
-
-#include <algorithm>
 #include <cassert>
 #include <exception>
 #include <utility>
 
 #include "hal/libcamera/camera_choice.hpp"
+#include "hal/posix/monotonic_clock.hpp"
 
 namespace articam::hal {
 namespace {
-
-Timestamp monotonic_now() noexcept {
-  timespec t{};
-  ::clock_gettime(CLOCK_MONOTONIC, &t);
-  return {static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec};
-}
 
 std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + " x " + std::to_string(height_px);
@@ -73,7 +65,10 @@ void LibcameraCamera::open_and_start() {
   if (!layout_->in_place()) copy_.resize(static_cast<std::size_t>(options_.width_px * options_.height_px));
   describe(id, controls);
   newest_.reset();
-  clock_ = Clock::unknown;
+  ending_ = Ending::none;
+  any_good_ = false;
+  t_newest_ = {};
+  requeuer_.start([this](int buffer) { queue(buffer); });
   capturing_ = true;
   device_->start(controls, *this);
 }
@@ -90,6 +85,7 @@ void LibcameraCamera::check_stream() const {
     refuse("the camera's rows are " + std::to_string(stream_.stride_bytes) + " bytes, too short for their pixels");
   }
   if (stream_.buffers.size() < 2) refuse("the camera gives fewer than two buffers");
+  if (stream_.buffers.size() > Requeuer::kMaxBuffers) refuse("the camera gives more than 32 buffers");
   for (const auto buffer : stream_.buffers) {
     if (buffer.size() < bytes_needed(*layout_, options_.width_px, options_.height_px, stream_.stride_bytes)) {
       refuse("the camera's buffers of " + std::to_string(buffer.size()) + " bytes are too short for the image");
@@ -101,27 +97,21 @@ void LibcameraCamera::describe(const std::string& id, const Controls& controls) 
   description_ = "camera " + id + ": " + std::string{layout_->name} + " " +
                  size_text(options_.width_px, options_.height_px) + ", stride " + std::to_string(stream_.stride_bytes) +
                  ", " + std::to_string(stream_.buffers.size()) + " buffers, ";
-  if (layout_->in_place()) {
-    description_ += "luma in place";
-  } else {
-    description_ += layout_->is_luma() ? "luma copied: it lies between the chroma"
-                                       : "GREEN COPIED: the camera offers no luma, colours will be seen as their green";
-  }
+  description_ += layout_->how_lent();
   description_ += controls.exposure_us ? ", exposure " + std::to_string(*controls.exposure_us) + " us" : "";
   description_ += controls.gain ? ", gain " + std::to_string(*controls.gain) : "";
-  if (options_.period.count() > 0 && !controls.period_us) description_ += ", frame duration is the camera's own";
+  const bool own_period = options_.period.count() > 0 && !controls.period_us;
+  warning_ = own_period ? "the camera's frame duration cannot be set: it keeps its own" : "";
 }
 
 void LibcameraCamera::await_first_frame() {
   const int buffer = newest_.take(options_.first_frame_wait);
-  if (buffer >= 0) return give_back(buffer);
+  if (buffer >= 0) return queue(buffer);
   if (buffer == NewestFrame::kNone) {
     throw StartProblem{Status::timeout, "no good frame within " + std::to_string(options_.first_frame_wait.count()) +
                                             " ms of the start"};
   }
-  if (clock_ != Clock::differs) {
-    throw StartProblem{Status::no_device, "the camera was unplugged as it started"};
-  }
+  if (ending_ != Ending::foreign_clock) throw StartProblem{Status::no_device, std::string{why(ending_)}};
   throw StartProblem{Status::bad_argument,
                      "the first frame's time stamp, " + std::to_string(wrong_stamp_ns_.load()) + " ns, is not within " +
                          std::to_string(options_.max_age.count()) +
@@ -131,6 +121,7 @@ void LibcameraCamera::await_first_frame() {
 
 void LibcameraCamera::stop() noexcept {
   capturing_ = false;  // before close: what is cancelled by it is not queued again
+  requeuer_.stop();
   device_->close();
   newest_.reset();
   lent_ = NewestFrame::kNone;
@@ -142,19 +133,20 @@ Status LibcameraCamera::acquire(Frame& out, std::chrono::milliseconds wait) noex
   if (!capturing_) return problem_ = "the camera is not started", Status::no_device;
   const int buffer = newest_.take(wait);
   if (buffer == NewestFrame::kNone) return problem_ = "no frame came in time", Status::timeout;
-  if (buffer == NewestFrame::kClosed) return problem_ = "the camera was unplugged", Status::no_device;
+  if (buffer == NewestFrame::kClosed) return problem_ = why(ending_), Status::no_device;
   const auto i = static_cast<std::size_t>(buffer);
   const Stamped stamped = stamped_[i];
   const std::uint8_t* const pixels = stream_.buffers[i].data();
+  lent_ = buffer;
+  device_->begin_reading(buffer);
   if (layout_->in_place()) {
-    lent_ = buffer;
     out = {{pixels, stream_.width_px, stream_.height_px, static_cast<std::ptrdiff_t>(stream_.stride_bytes)},
            stamped.t_exposure,
            stamped.sequence};
     return Status::ok;
   }
   copy_luma(*layout_, pixels, stream_.stride_bytes, stream_.width_px, stream_.height_px, copy_.data());
-  give_back(buffer);
+  give_back();
   count(kCopied);
   out = {{copy_.data(), stream_.width_px, stream_.height_px, stream_.width_px}, stamped.t_exposure, stamped.sequence};
   return Status::ok;
@@ -162,45 +154,57 @@ Status LibcameraCamera::acquire(Frame& out, std::chrono::milliseconds wait) noex
 
 void LibcameraCamera::release(Frame& frame) noexcept {
   frame = {};
-  if (lent_ != NewestFrame::kNone) give_back(std::exchange(lent_, NewestFrame::kNone));
+  if (lent_ != NewestFrame::kNone) give_back();
 }
 
-void LibcameraCamera::give_back(int buffer) noexcept {
+void LibcameraCamera::give_back() noexcept {
+  device_->end_reading(lent_);
+  requeuer_.give_back(std::exchange(lent_, NewestFrame::kNone));
+}
+
+void LibcameraCamera::queue(int buffer) noexcept {
   // A buffer that cannot be queued is lost; without all its buffers the capture would limp until it starves.
-  if (!device_->queue(buffer)) newest_.close();
+  if (!device_->queue(buffer)) end(Ending::buffer_lost);
+}
+
+void LibcameraCamera::end(Ending why) noexcept {
+  auto none = Ending::none;
+  ending_.compare_exchange_strong(none, why);  // the first reason is the cause
+  newest_.close();
 }
 
 void LibcameraCamera::completed(const CompletedBuffer& buffer) noexcept {
   if (!capturing_) return;
-  if (const auto refused = objection(buffer)) {
+  const Timestamp now = MonotonicClock{}.now();
+  if (const auto refused = objection(buffer, now)) {
     count(*refused);
-    if (*refused == kWrongStamp) wrong_stamp_ns_ = buffer.stamp.ns;
-    if (*refused == kWrongStamp && clock_ == Clock::unknown) {
-      clock_ = Clock::differs;
-      return newest_.close();
+    if (*refused == kWrongStamp && !any_good_) {
+      wrong_stamp_ns_ = buffer.stamp.ns;
+      return end(Ending::foreign_clock);
     }
-    return give_back(buffer.buffer);
+    return queue(buffer.buffer);
   }
-  clock_ = Clock::agrees;
-  stamped_[static_cast<std::size_t>(buffer.buffer)] = {buffer.sequence, mid_exposure(buffer)};
+  any_good_ = true;
+  t_newest_ = t_exposure(buffer, now);
+  stamped_[static_cast<std::size_t>(buffer.buffer)] = {buffer.sequence, t_newest_};
   const int overtaken = newest_.post(buffer.buffer);
   if (overtaken == NewestFrame::kNone) return;
   count(kOvertaken);
-  give_back(overtaken);
+  queue(overtaken);
 }
 
-void LibcameraCamera::disconnected() noexcept { newest_.close(); }
+void LibcameraCamera::disconnected() noexcept { end(Ending::unplugged); }
 
-Timestamp LibcameraCamera::mid_exposure(const CompletedBuffer& buffer) const noexcept {
-  const std::int64_t asked_ns =
-      std::chrono::nanoseconds{options_.exposure.value_or(std::chrono::microseconds{0})}.count();
-  const std::int64_t half = (buffer.exposure_ns != 0 ? buffer.exposure_ns : asked_ns) / 2;
-  if (options_.stamp == StampMarks::readout_start) return {buffer.stamp.ns - half};
-  // Where the stamp marks the readout after all, a long exposure would be dated into the future.
-  return {std::min(buffer.stamp.ns + half, monotonic_now().ns)};
+Timestamp LibcameraCamera::t_exposure(const CompletedBuffer& buffer, Timestamp now) const noexcept {
+  const bool told = buffer.exposure_ns != 0;
+  const std::chrono::nanoseconds asked = options_.exposure.value_or(std::chrono::microseconds{0});
+  const auto exposure = told ? std::chrono::nanoseconds{buffer.exposure_ns} : asked;
+  const StampMarks marks = options_.stamp.value_or(told ? StampMarks::readout_start : StampMarks::exposure_start);
+  return mid_exposure(buffer.stamp, marks, exposure, {}, now);
 }
 
-std::optional<LibcameraCamera::Counted> LibcameraCamera::objection(const CompletedBuffer& buffer) const noexcept {
+std::optional<LibcameraCamera::Counted> LibcameraCamera::objection(const CompletedBuffer& buffer,
+                                                                   Timestamp now) const noexcept {
   using Health = CompletedBuffer::Health;
   if (buffer.health == Health::cancelled) return kCancelled;
   if (buffer.health == Health::corrupt) return kCorrupt;
@@ -208,16 +212,23 @@ std::optional<LibcameraCamera::Counted> LibcameraCamera::objection(const Complet
   if (buffer.bytes_used < bytes_needed(*layout_, stream_.width_px, stream_.height_px, stream_.stride_bytes)) {
     return kWrongSize;
   }
-  const std::int64_t max_age_ns = std::chrono::nanoseconds{options_.max_age}.count();
-  const std::int64_t now_ns = monotonic_now().ns;
-  if (buffer.stamp.ns > now_ns || buffer.stamp.ns < now_ns - max_age_ns) return kWrongStamp;
-  if (buffer.exposure_ns < 0 || buffer.exposure_ns > max_age_ns) return kWrongStamp;
+  const std::chrono::nanoseconds max_age = options_.max_age;
+  if (!is_of_this_clock(buffer.stamp, now, max_age)) return kWrongStamp;
+  if (buffer.exposure_ns < 0 || buffer.exposure_ns > max_age.count()) return kWrongStamp;
+  if (any_good_ && t_exposure(buffer, now) <= t_newest_) return kOutOfOrder;
   return std::nullopt;
 }
 
-LibcameraCamera::Counts LibcameraCamera::counts() const noexcept {
+std::string_view LibcameraCamera::why(Ending ending) noexcept {
+  if (ending == Ending::buffer_lost) return "a buffer could not be given back to the camera";
+  if (ending == Ending::foreign_clock) return "the time stamps are of another clock";
+  return "the camera was unplugged";
+}
+
+CaptureCounts LibcameraCamera::counts() const noexcept {
   const auto of = [this](Counted what) { return counts_[what].load(std::memory_order_relaxed); };
-  return {of(kOvertaken), of(kStartingUp), of(kCorrupt), of(kCancelled), of(kWrongSize), of(kWrongStamp), of(kCopied)};
+  return {of(kOvertaken), of(kStartingUp), of(kCorrupt),    of(kCancelled),
+          of(kWrongSize), of(kWrongStamp), of(kOutOfOrder), of(kCopied)};
 }
 
 }  // namespace articam::hal

@@ -1,12 +1,15 @@
 #include "hal/libcamera/libcamera_device.hpp"
 
 #include <libcamera/libcamera.h>
+#include <linux/dma-buf.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "hal/capture/start_problem.hpp"
 #include "hal/libcamera/libcamera_camera.hpp"
 #include "hal/libcamera/library_version.hpp"
 
@@ -20,6 +23,15 @@ void check(int result, const std::string& what) {
   std::string reason = "libcamera could not " + what + ": " + std::strerror(-result);
   if (result == -EBUSY) reason += " (does another program use the camera?)";
   throw StartProblem{status, std::move(reason)};
+}
+
+/// Where the memory is cached and the camera writes behind the cache's back, old lines are dropped here. Memory that is
+/// not of that kind refuses the call, and needs none.
+void sync_cache(int memory, std::uint64_t edge) noexcept {
+  dma_buf_sync sync{DMA_BUF_SYNC_READ | edge};
+  int result = 0;
+  do result = ::ioctl(memory, DMA_BUF_IOCTL_SYNC, &sync);
+  while (result < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
 std::optional<double> number(const libcamera::ControlValue& value) {
@@ -106,7 +118,7 @@ std::span<const std::uint8_t> LibcameraDevice::map_first_plane(const libcamera::
   const std::size_t length = std::size_t{plane.offset} + plane.length;  // a mapping begins on a page, so at 0
   void* const address = ::mmap(nullptr, length, PROT_READ, MAP_SHARED, plane.fd.get(), 0);
   if (address == MAP_FAILED) check(-errno, "map its buffers");
-  mappings_.push_back({address, length});
+  mappings_.push_back({address, length, plane.fd.get()});
   return {static_cast<const std::uint8_t*>(address) + plane.offset, plane.length};
 }
 
@@ -115,11 +127,7 @@ void LibcameraDevice::start(const Controls& controls, CaptureEvents& events) {
   make_requests();
   camera_->requestCompleted.connect(this, &LibcameraDevice::on_completed);
   camera_->disconnected.connect(this, &LibcameraDevice::on_disconnected);
-  libcamera::ControlList list{camera_->controls()};
-  set_exposure_and_gain(list, camera_->controls(), controls);
-  if (controls.period_us) {
-    list.set(libcamera::controls::FrameDurationLimits, {*controls.period_us, *controls.period_us});
-  }
+  const libcamera::ControlList list = control_list(camera_->controls(), controls);
   check(camera_->start(&list), "start the capture");
   for (const auto& request : requests_) {
     request->controls().merge(list);  // several pipelines of the library heed no list given to start
@@ -150,6 +158,14 @@ void LibcameraDevice::on_completed(libcamera::Request* request) {
 }
 
 void LibcameraDevice::on_disconnected() { events_->disconnected(); }
+
+void LibcameraDevice::begin_reading(int buffer) noexcept {
+  sync_cache(mappings_[static_cast<std::size_t>(buffer)].memory, DMA_BUF_SYNC_START);
+}
+
+void LibcameraDevice::end_reading(int buffer) noexcept {
+  sync_cache(mappings_[static_cast<std::size_t>(buffer)].memory, DMA_BUF_SYNC_END);
+}
 
 bool LibcameraDevice::queue(int buffer) noexcept {
   try {

@@ -30,6 +30,8 @@ class LibcameraDevice final : public CaptureDevice {
   Abilities open(const std::string& id) override;
   Stream configure(std::uint32_t format, int width_px, int height_px, int buffers) override;
   void start(const Controls& controls, CaptureEvents& events) override;
+  void begin_reading(int buffer) noexcept override;
+  void end_reading(int buffer) noexcept override;
   bool queue(int buffer) noexcept override;
   void close() noexcept override;
 
@@ -37,6 +39,7 @@ class LibcameraDevice final : public CaptureDevice {
   struct Mapping {
     void* address{};
     std::size_t length{};
+    int memory{};  ///< the DMA buffer's descriptor, owned by the library
   };
 
   std::span<const std::uint8_t> map_first_plane(const libcamera::FrameBuffer& buffer);
@@ -51,7 +54,7 @@ class LibcameraDevice final : public CaptureDevice {
   libcamera::Stream* stream_{};
   std::unique_ptr<libcamera::FrameBufferAllocator> allocator_;
   std::vector<std::unique_ptr<libcamera::Request>> requests_;  ///< one a buffer, numbered by its cookie
-  std::vector<Mapping> mappings_;
+  std::vector<Mapping> mappings_;                              ///< one a buffer
   CaptureEvents* events_{};
 };
 

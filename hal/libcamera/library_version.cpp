@@ -10,9 +10,9 @@ namespace articam::hal {
 // initializer_list (from 0.1); planes() and metadata() are bound to const auto&, whatever they return. `transform`
 // (to 0.1) and `orientation` (from 0.2) keep their defaults, upright: the camera file is made from such images.
 
-void set_exposure_and_gain(libcamera::ControlList& to, const libcamera::ControlInfoMap& known,
-                           const Controls& controls) {
+libcamera::ControlList control_list(const libcamera::ControlInfoMap& known, const Controls& controls) {
   namespace ids = libcamera::controls;
+  libcamera::ControlList to{known};
 #if LIBCAMERA_VERSION_MAJOR * 10000 + LIBCAMERA_VERSION_MINOR * 100 + LIBCAMERA_VERSION_PATCH >= 500
   if (known.count(ids::ExposureTimeMode.id()) != 0) {
     to.set(ids::ExposureTimeMode, controls.exposure_us ? ids::ExposureTimeModeManual : ids::ExposureTimeModeAuto);
@@ -25,6 +25,8 @@ void set_exposure_and_gain(libcamera::ControlList& to, const libcamera::ControlI
 #endif
   if (controls.exposure_us) to.set(ids::ExposureTime, *controls.exposure_us);
   if (controls.gain) to.set(ids::AnalogueGain, *controls.gain);
+  if (controls.period_us) to.set(ids::FrameDurationLimits, {*controls.period_us, *controls.period_us});
+  return to;
 }
 
 CompletedBuffer::Health health_of(const libcamera::FrameMetadata& metadata) noexcept {

@@ -1,12 +1,10 @@
 #pragma once
 /// @file  How a frame crosses from the capturing thread to the loop: one place, the newest wins.
 
-#include <semaphore.h>
-#include <time.h>
-
 #include <atomic>
-#include <cerrno>
 #include <chrono>
+
+#include "hal/posix/semaphore.hpp"
 
 namespace articam::hal {
 
@@ -17,27 +15,22 @@ class NewestFrame {
   static constexpr int kNone = -1;
   static constexpr int kClosed = -2;
 
-  NewestFrame() noexcept { ::sem_init(&full_, 0, 0); }
-  ~NewestFrame() { ::sem_destroy(&full_); }
-  NewestFrame(const NewestFrame&) = delete;
-  NewestFrame& operator=(const NewestFrame&) = delete;
-
   /// Gives back the buffer that nobody took in time and that is the poster's again, or kNone.
   int post(int buffer) noexcept {
     const int overtaken = slot_.exchange(buffer, std::memory_order_acq_rel);
-    if (overtaken == kNone) ::sem_post(&full_);
+    if (overtaken == kNone) full_.post();
     return overtaken;
   }
 
   /// No frame will follow. Any thread; every take from now on answers kClosed.
   void close() noexcept {
-    if (!closed_.exchange(true, std::memory_order_acq_rel)) ::sem_post(&full_);
+    if (!closed_.exchange(true, std::memory_order_acq_rel)) full_.post();
   }
 
   /// Waits at most so long for a buffer; kNone when there is none, kClosed when there will be none.
   int take(std::chrono::milliseconds wait) noexcept {
     if (closed_.load(std::memory_order_acquire)) return kClosed;
-    if (!wait_until_full(wait)) return kNone;
+    if (!full_.wait(wait)) return kNone;
     if (closed_.load(std::memory_order_acquire)) return kClosed;
     // The semaphore counts how often the slot went from empty to full, so here it is full.
     return slot_.exchange(kNone, std::memory_order_acq_rel);
@@ -47,23 +40,11 @@ class NewestFrame {
   void reset() noexcept {
     slot_ = kNone;
     closed_ = false;
-    while (::sem_trywait(&full_) == 0) continue;
+    full_.clear();
   }
 
  private:
-  bool wait_until_full(std::chrono::milliseconds wait) noexcept {
-    timespec until{};
-    ::clock_gettime(CLOCK_MONOTONIC, &until);
-    const auto ns = std::chrono::nanoseconds{wait}.count() + until.tv_nsec;
-    until.tv_sec += static_cast<time_t>(ns / 1'000'000'000);
-    until.tv_nsec = static_cast<long>(ns % 1'000'000'000);
-    int result = 0;
-    do result = ::sem_clockwait(&full_, CLOCK_MONOTONIC, &until);
-    while (result != 0 && errno == EINTR);
-    return result == 0;
-  }
-
-  sem_t full_{};
+  Semaphore full_;  ///< posted when the slot goes from empty to full, and on close
   std::atomic<int> slot_{kNone};
   std::atomic<bool> closed_{false};
   static_assert(std::atomic<int>::is_always_lock_free);

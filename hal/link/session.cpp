@@ -1,7 +1,8 @@
 #include "hal/link/session.hpp"
 
 #include <sys/random.h>
-#include <time.h>
+
+#include "hal/posix/monotonic_clock.hpp"
 
 namespace articam::hal {
 
@@ -9,9 +10,7 @@ std::uint64_t draw_session() noexcept {
   std::uint64_t session = 0;
   if (::getrandom(&session, sizeof session, GRND_NONBLOCK) != sizeof session) {
     // The kernel has not gathered randomness yet, early after power-on: the clock differs from start to start too.
-    timespec t{};
-    ::clock_gettime(CLOCK_MONOTONIC, &t);
-    session = static_cast<std::uint64_t>(t.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(t.tv_nsec);
+    session = static_cast<std::uint64_t>(MonotonicClock{}.now().ns);
   }
   return session != 0 ? session : 1;
 }

@@ -58,12 +58,12 @@ void Spooler::commit(std::size_t bytes, std::uint64_t offset, std::size_t crc_at
   blocks_[head_] = {bytes, offset, crc_at};
   head_ = (head_ + 1) % blocks_.size();
   free_.fetch_sub(1, std::memory_order_relaxed);
-  ready_.release();
+  ready_.post();
 }
 
 void Spooler::write_blocks() noexcept {
   for (std::size_t tail = 0;; tail = (tail + 1) % blocks_.size()) {
-    ready_.acquire();
+    ready_.wait();
     // close() releases once more than there are blocks.
     if (ends_ && free_.load(std::memory_order_acquire) == blocks_.size()) return;
     const auto [bytes, offset, crc_at] = blocks_[tail];
@@ -87,7 +87,7 @@ bool Spooler::write(const std::byte* data, std::size_t bytes, std::uint64_t offs
 Status Spooler::close(std::uint64_t end) noexcept {
   if (writer_.joinable()) {
     ends_ = true;
-    ready_.release();
+    ready_.post();
     writer_.join();
   }
   if (descriptor_ < 0) return Status::ok;

@@ -4,13 +4,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <semaphore>
 #include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/status.hpp"
+#include "hal/posix/semaphore.hpp"
 
 namespace articam::hal {
 
@@ -61,7 +61,7 @@ class Spooler {
   std::vector<Block> blocks_;
   std::size_t head_{};               ///< next block to build; the loop's
   std::atomic<std::size_t> free_{};  ///< blocks that the loop may take
-  std::counting_semaphore<> ready_{0};
+  Semaphore ready_;
   std::atomic<bool> ends_{false};
   std::atomic<int> error_{0};  ///< errno of the first write that failed
   std::thread writer_;

@@ -9,7 +9,7 @@
 
 #include "hal/ports/camera_port.hpp"
 #include "hal/ports/clock_port.hpp"
-#include "hal/supervision/signal.hpp"
+#include "hal/posix/semaphore.hpp"
 
 namespace articam::hal {
 
@@ -63,7 +63,7 @@ class SupervisedCamera {
   void stop() noexcept {
     if (attendant_.joinable()) {
       stopping_ = true;
-      broken_.raise();
+      broken_.post();
       attendant_.join();
     }
     broken_.clear();
@@ -102,7 +102,7 @@ class SupervisedCamera {
   void hand_over(Status why) noexcept {
     why_.store(why, std::memory_order_relaxed);
     restarting_ = true;
-    broken_.raise();
+    broken_.post();
   }
 
   /// The second thread: sleeps until the camera is handed over, gives it back when it captures.
@@ -113,12 +113,12 @@ class SupervisedCamera {
       camera_.stop();
       auto pause = options_.first_pause;
       while (!attempt()) {
-        if (broken_.wait(pause)) return;  // raised by stop() alone while the camera is here
+        if (broken_.wait(pause)) return;  // posted by stop() alone while the camera is here
         pause = longer_pause(pause, options_);
       }
       if (stopping_) return;
       restarts_.fetch_add(1);
-      revived_.raise();
+      revived_.post();
     }
   }
 
@@ -134,12 +134,12 @@ class SupervisedCamera {
   const Clock& clock_;
   SupervisionOptions options_;
   Timestamp t_last_frame_{};  ///< or of the start
-  bool restarting_{false};    ///< the camera is the attendant's until it raises revived_; the loop's own note
+  bool restarting_{false};    ///< the camera is the attendant's until it posts revived_; the loop's own note
   std::atomic<Status> why_{Status::timeout};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> restarts_{}, failed_attempts_{};
-  Signal broken_;   ///< to the attendant: the camera is yours, or the end
-  Signal revived_;  ///< to the loop: it is yours again
+  Semaphore broken_;   ///< to the attendant: the camera is yours, or the end
+  Semaphore revived_;  ///< to the loop: it is yours again
   std::thread attendant_;
 };
 

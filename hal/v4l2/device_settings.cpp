@@ -3,9 +3,12 @@
 #include <linux/videodev2.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
+
+#include "hal/capture/start_problem.hpp"
 
 namespace articam::hal::v4l2 {
 namespace {
@@ -26,7 +29,7 @@ void check_capabilities(const Device& device) {
   if ((can & V4L2_CAP_STREAMING) == 0) refuse("it does not stream into mapped buffers");
 }
 
-const LumaLayout& choose_layout(const Device& device) {
+std::vector<std::uint32_t> offered_formats(const Device& device) {
   constexpr std::uint32_t kMostFormats = 64;  // a driver that never ends its list must not hang us
   std::vector<std::uint32_t> offered;
   for (std::uint32_t i = 0; i < kMostFormats; ++i) {
@@ -36,13 +39,12 @@ const LumaLayout& choose_layout(const Device& device) {
     if (device.control(VIDIOC_ENUM_FMT, &format) < 0) break;
     offered.push_back(format.pixelformat);
   }
-  const LumaLayout* const layout = preferred_layout(offered);
-  if (layout == nullptr) refuse("it offers no 8-bit format with luma (GREY, NV12, YUV420, YUYV or alike)");
-  return *layout;
+  return offered;
 }
 
-/// The bytes from one row to the next.
-std::size_t set_format(const Device& device, const LumaLayout& layout, const V4l2Options& options) {
+/// Sets the format. What is wrong with the one that the device then takes, or nothing.
+std::string try_format(const Device& device, const LumaLayout& layout, const V4l2Options& options,
+                       std::size_t& stride_bytes) {
   v4l2_format format{};
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   format.fmt.pix.width = static_cast<std::uint32_t>(options.width_px);
@@ -53,29 +55,48 @@ std::size_t set_format(const Device& device, const LumaLayout& layout, const V4l
   check(device.control(VIDIOC_S_FMT, &format), "be given its format");
   const v4l2_pix_format& got = format.fmt.pix;
   if (got.width != wanted.width || got.height != wanted.height) {
-    refuse("it gives " + size_text(got.width, got.height) + ", the camera file says " +
-           size_text(wanted.width, wanted.height));
+    return "it gives " + size_text(got.width, got.height) + ", the camera file says " +
+           size_text(wanted.width, wanted.height);
   }
-  if (got.pixelformat != wanted.pixelformat) refuse("it does not keep to the format that it offered");
-  if (got.field != V4L2_FIELD_NONE) refuse("its image is interlaced");
+  if (got.pixelformat != wanted.pixelformat) return "it does not keep to the format that it offered";
+  if (got.field != V4L2_FIELD_NONE) return "its image is interlaced";
   if (got.bytesperline < got.width * static_cast<std::uint32_t>(layout.step)) {
-    refuse("its rows are " + std::to_string(got.bytesperline) + " bytes, too short for their pixels");
+    return "its rows are " + std::to_string(got.bytesperline) + " bytes, too short for their pixels";
   }
-  return got.bytesperline;
+  stride_bytes = got.bytesperline;
+  return {};
 }
 
-/// False where the device has no such setting.
-bool set_period(const Device& device, const V4l2Options& options) {
+/// A device may give some of its formats in some of its sizes only.
+void set_format(const Device& device, const V4l2Options& options, Settled& settled) {
+  std::vector<std::uint32_t> offered = offered_formats(device);
+  std::string first_objection;
+  while (const LumaLayout* const layout = preferred_layout(offered)) {
+    const std::string objection = try_format(device, *layout, options, settled.stride_bytes);
+    settled.layout = layout;
+    if (objection.empty()) return;
+    if (first_objection.empty()) first_objection = objection;
+    std::erase(offered, layout->format);
+  }
+  if (!first_objection.empty()) refuse(first_objection);
+  refuse("it offers no 8-bit format with luma or green (GREY, NV12, YUV420, YUYV, RGB24 or alike)");
+}
+
+/// A warning where the device keeps a frame duration of its own.
+std::string set_period(const Device& device, const V4l2Options& options) {
+  const std::string own = "the camera keeps its own frame duration";
   v4l2_streamparm parameters{};
   parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  if (device.control(VIDIOC_G_PARM, &parameters) < 0) return false;
-  if ((parameters.parm.capture.capability & V4L2_CAP_TIMEPERFRAME) == 0) return false;
+  if (device.control(VIDIOC_G_PARM, &parameters) < 0) return own;
+  if ((parameters.parm.capture.capability & V4L2_CAP_TIMEPERFRAME) == 0) return own;
   parameters.parm.capture.timeperframe = {static_cast<std::uint32_t>(options.period.count()), 1'000'000};
   check(device.control(VIDIOC_S_PARM, &parameters), "be given its frame duration");
   const v4l2_fract got = parameters.parm.capture.timeperframe;
   const double got_us = got.denominator == 0 ? 0 : 1e6 * got.numerator / got.denominator;
   const double off = got_us / static_cast<double>(options.period.count()) - 1;
-  return off > -0.05 && off < 0.05;  // 29.97 frames a second pass for 30, 25 do not
+  if (off > -0.05 && off < 0.05) return {};  // 29.97 frames a second pass for 30, 25 do not
+  return own + ", " + std::to_string(std::lround(got_us)) + " us, instead of " +
+         std::to_string(options.period.count()) + " us";
 }
 
 bool set_control(const Device& device, std::uint32_t id, int value) {
@@ -143,10 +164,11 @@ void check(int result, const std::string& what) {
 Settled settle(const Device& device, const V4l2Options& options) {
   check_capabilities(device);
   Settled settled;
-  settled.layout = &choose_layout(device);
-  settled.stride_bytes = set_format(device, *settled.layout, options);
-  settled.period_is_the_devices = options.period.count() > 0 && !set_period(device, options);
+  set_format(device, options, settled);
+  if (options.period.count() > 0) settled.warning = set_period(device, options);
   settled.exposure_ns = set_exposure(device, options);
+  // Automatic exposure of USB cameras may take longer frames in the dark, unless told that the rate goes first.
+  if (options.period.count() > 0) (void)set_control(device, V4L2_CID_EXPOSURE_AUTO_PRIORITY, 0);
   set_gain(device, options);
   return settled;
 }

@@ -4,17 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "core/status.hpp"
-#include "hal/v4l2/luma_layout.hpp"
+#include "hal/capture/luma_layout.hpp"
 #include "hal/v4l2/v4l2_camera.hpp"
 
 namespace articam::hal::v4l2 {
-
-/// Thrown before the capture runs; V4l2Camera::start() stops it.
-struct StartProblem {
-  Status status;
-  std::string reason;
-};
 
 /// Throws a StartProblem with the system's words when `result` is a negated errno.
 void check(int result, const std::string& what);
@@ -29,11 +22,11 @@ struct Device {
 struct Settled {
   const LumaLayout* layout{};
   std::size_t stride_bytes{};
-  std::int64_t exposure_ns{};    ///< 0 while automatic
-  bool period_is_the_devices{};  ///< the one asked for could not be set
+  std::int64_t exposure_ns{};  ///< 0 while automatic
+  std::string warning;         ///< what the device does otherwise than asked; or empty
 };
 
-/// Chooses the format, sets size, period, exposure and gain.
+/// Chooses the best format that the device gives at the size asked for; sets period, exposure and gain.
 /// Errors  throws StartProblem: bad_argument where the device does not do what the options ask, no_device, io_error.
 Settled settle(const Device& device, const V4l2Options& options);
 

@@ -2,24 +2,19 @@
 
 #include <linux/videodev2.h>
 #include <poll.h>
-#include <time.h>
 
-#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <exception>
 #include <utility>
 
+#include "hal/capture/exposure_stamp.hpp"
+#include "hal/capture/start_problem.hpp"
+#include "hal/posix/monotonic_clock.hpp"
 #include "hal/v4l2/device_settings.hpp"
 
 namespace articam::hal {
 namespace {
-
-Timestamp monotonic_now() noexcept {
-  timespec t{};
-  ::clock_gettime(CLOCK_MONOTONIC, &t);
-  return {static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec};
-}
 
 v4l2_buffer mapped_buffer(int index) noexcept {
   v4l2_buffer buffer{};
@@ -29,9 +24,9 @@ v4l2_buffer mapped_buffer(int index) noexcept {
   return buffer;
 }
 
-std::int64_t stamp_ns(const v4l2_buffer& buffer) noexcept {
-  return static_cast<std::int64_t>(buffer.timestamp.tv_sec) * 1'000'000'000 +
-         static_cast<std::int64_t>(buffer.timestamp.tv_usec) * 1000;
+Timestamp stamp_of(const v4l2_buffer& buffer) noexcept {
+  return {static_cast<std::int64_t>(buffer.timestamp.tv_sec) * 1'000'000'000 +
+          static_cast<std::int64_t>(buffer.timestamp.tv_usec) * 1000};
 }
 
 bool is_monotonic(const v4l2_buffer& buffer) noexcept {
@@ -55,7 +50,7 @@ Status V4l2Camera::start() noexcept {
       start_problem_.clear();
       open_and_start();
       await_first_frame();
-    } catch (const v4l2::StartProblem& problem) {
+    } catch (const StartProblem& problem) {
       status = problem.status;
       start_problem_ = options_.device + ": " + problem.reason;
     }
@@ -71,7 +66,7 @@ Status V4l2Camera::start() noexcept {
 void V4l2Camera::open_and_start() {
   if (options_.width_px < 1 || options_.width_px > kMaxImageWidth_px || options_.height_px < 1 ||
       options_.height_px > kMaxImageHeight_px) {
-    throw v4l2::StartProblem{Status::bad_argument, "the image size is beyond what this program is built for"};
+    throw StartProblem{Status::bad_argument, "the image size is beyond what this program is built for"};
   }
   const int file = calls_->open(options_.device.c_str());
   v4l2::check(file, "be opened");
@@ -80,15 +75,15 @@ void V4l2Camera::open_and_start() {
   layout_ = settled.layout;
   stride_bytes_ = settled.stride_bytes;
   exposure_ns_ = settled.exposure_ns;
+  warning_ = settled.warning;
+  t_newest_ = {};
   if (!layout_->in_place()) copy_.resize(static_cast<std::size_t>(options_.width_px * options_.height_px));
   map_buffers();
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   v4l2::check(calls_->control(file_, VIDIOC_STREAMON, &type), "start the capture");
   description_ = options_.device + ": " + std::to_string(options_.width_px) + " x " +
                  std::to_string(options_.height_px) + ", stride " + std::to_string(stride_bytes_) + ", " +
-                 std::to_string(buffers_.size()) + " buffers, luma " +
-                 (layout_->in_place() ? "in place" : "copied: it lies between the chroma") +
-                 (settled.period_is_the_devices ? ", frame duration is the device's own" : "");
+                 std::to_string(buffers_.size()) + " buffers, " + std::string{layout_->how_lent()};
 }
 
 void V4l2Camera::map_buffers() {
@@ -97,19 +92,19 @@ void V4l2Camera::map_buffers() {
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   request.memory = V4L2_MEMORY_MMAP;
   v4l2::check(calls_->control(file_, VIDIOC_REQBUFS, &request), "make its buffers");
-  if (request.count < 2) throw v4l2::StartProblem{Status::io_error, "it gives fewer than two buffers"};
+  if (request.count < 2) throw StartProblem{Status::io_error, "it gives fewer than two buffers"};
   buffers_.reserve(request.count);
   for (int i = 0; i < static_cast<int>(request.count); ++i) {
     v4l2_buffer buffer = mapped_buffer(i);
     v4l2::check(calls_->control(file_, VIDIOC_QUERYBUF, &buffer), "be asked for its buffers");
     if (!is_monotonic(buffer)) {
-      throw v4l2::StartProblem{Status::bad_argument, "its time stamps are not of CLOCK_MONOTONIC"};
+      throw StartProblem{Status::bad_argument, "its time stamps are not of CLOCK_MONOTONIC"};
     }
-    if (buffer.length < bytes_needed()) {
-      throw v4l2::StartProblem{Status::bad_argument, "its buffers are too short for the image"};
+    if (buffer.length < image_bytes()) {
+      throw StartProblem{Status::bad_argument, "its buffers are too short for the image"};
     }
     void* const data = calls_->map(file_, buffer.length, buffer.m.offset);
-    if (data == nullptr) throw v4l2::StartProblem{Status::io_error, "its buffers could not be mapped"};
+    if (data == nullptr) throw StartProblem{Status::io_error, "its buffers could not be mapped"};
     buffers_.push_back({static_cast<const std::uint8_t*>(data), buffer.length});
     queue(i);
   }
@@ -121,11 +116,11 @@ void V4l2Camera::await_first_frame() {
   const Status status = next_frame(first, options_.first_frame_wait);
   if (status == Status::ok) return queue(first.buffer);
   if (counts_.wrong_stamp != strays) {
-    throw v4l2::StartProblem{Status::bad_argument,
-                             "its time stamps, " + std::to_string(wrong_stamp_ns_) + " ns, are not within " +
-                                 std::to_string(options_.max_age.count()) + " ms before CLOCK_MONOTONIC"};
+    throw StartProblem{Status::bad_argument, "its time stamps, " + std::to_string(wrong_stamp_ns_) +
+                                                 " ns, are not within " + std::to_string(options_.max_age.count()) +
+                                                 " ms before CLOCK_MONOTONIC"};
   }
-  throw v4l2::StartProblem{status, "after its start: " + std::string{problem_}};
+  throw StartProblem{status, "after its start: " + std::string{problem_}};
 }
 
 void V4l2Camera::stop() noexcept {
@@ -139,9 +134,8 @@ void V4l2Camera::stop() noexcept {
   broken_ = false;
 }
 
-std::size_t V4l2Camera::bytes_needed() const noexcept {
-  return stride_bytes_ * static_cast<std::size_t>(options_.height_px - 1) +
-         static_cast<std::size_t>(options_.width_px * layout_->step);
+std::size_t V4l2Camera::image_bytes() const noexcept {
+  return bytes_needed(*layout_, options_.width_px, options_.height_px, stride_bytes_);
 }
 
 Status V4l2Camera::acquire(Frame& out, std::chrono::milliseconds wait) noexcept {
@@ -156,11 +150,7 @@ Status V4l2Camera::acquire(Frame& out, std::chrono::milliseconds wait) noexcept 
            newest.sequence};
     return Status::ok;
   }
-  std::uint8_t* to = copy_.data();
-  for (int v = 0; v < options_.height_px; ++v) {
-    const std::uint8_t* const row = data + static_cast<std::size_t>(v) * stride_bytes_ + layout_->first;
-    for (int u = 0; u < options_.width_px; ++u) *to++ = row[u * layout_->step];
-  }
+  copy_luma(*layout_, data, stride_bytes_, options_.width_px, options_.height_px, copy_.data());
   ++counts_.copied;
   out = {{copy_.data(), options_.width_px, options_.height_px, options_.width_px}, newest.t_exposure, newest.sequence};
   queue(newest.buffer);
@@ -174,11 +164,11 @@ void V4l2Camera::release(Frame& frame) noexcept {
 
 Status V4l2Camera::next_frame(Dequeued& newest, std::chrono::milliseconds wait) noexcept {
   if (file_ == kNone) return fail(Status::no_device, "the device is not started");
-  const std::int64_t deadline_ns = monotonic_now().ns + std::chrono::nanoseconds{wait}.count();
+  const std::int64_t deadline_ns = MonotonicClock{}.now().ns + std::chrono::nanoseconds{wait}.count();
   while (!broken_) {
     if (dequeue_all(newest)) return Status::ok;
     const auto left =
-        std::chrono::ceil<std::chrono::milliseconds>(std::chrono::nanoseconds{deadline_ns - monotonic_now().ns});
+        std::chrono::ceil<std::chrono::milliseconds>(std::chrono::nanoseconds{deadline_ns - MonotonicClock{}.now().ns});
     if (left.count() <= 0) return fail(Status::timeout, "no frame came in time");
     const int events = calls_->wait(file_, left);
     if (events < 0 || (events & (POLLERR | POLLHUP | POLLNVAL)) != 0) {
@@ -203,12 +193,13 @@ bool V4l2Camera::dequeue_all(Dequeued& newest) noexcept {
     }
     const int index = static_cast<int>(buffer.index);
     int back = index;
-    if (std::uint64_t* const refused = objection(buffer)) {
+    const Timestamp now = MonotonicClock{}.now();
+    if (std::uint64_t* const refused = objection(buffer, now)) {
       ++*refused;
     } else {
       back = std::exchange(newest.buffer, index);
       newest.sequence = buffer.sequence;
-      newest.t_exposure = mid_exposure(buffer);
+      newest.t_exposure = t_newest_ = t_exposure(buffer, now);
       if (back != kNone) ++counts_.overtaken;
     }
     if (back != kNone) queue(back);
@@ -216,22 +207,20 @@ bool V4l2Camera::dequeue_all(Dequeued& newest) noexcept {
   return newest.buffer != kNone && !broken_;
 }
 
-std::uint64_t* V4l2Camera::objection(const v4l2_buffer& buffer) noexcept {
+std::uint64_t* V4l2Camera::objection(const v4l2_buffer& buffer, Timestamp now) noexcept {
   if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0) return &counts_.corrupt;
-  if (buffer.bytesused < bytes_needed()) return &counts_.wrong_size;
-  const std::int64_t now_ns = monotonic_now().ns;
-  const std::int64_t oldest_ns = now_ns - std::chrono::nanoseconds{options_.max_age}.count();
-  if (is_monotonic(buffer) && stamp_ns(buffer) <= now_ns && stamp_ns(buffer) >= oldest_ns) return nullptr;
-  wrong_stamp_ns_ = stamp_ns(buffer);
-  return &counts_.wrong_stamp;
+  if (buffer.bytesused < image_bytes()) return &counts_.wrong_size;
+  if (!is_monotonic(buffer) || !is_of_this_clock(stamp_of(buffer), now, options_.max_age)) {
+    wrong_stamp_ns_ = stamp_of(buffer).ns;
+    return &counts_.wrong_stamp;
+  }
+  return t_exposure(buffer, now) <= t_newest_ ? &counts_.out_of_order : nullptr;
 }
 
-Timestamp V4l2Camera::mid_exposure(const v4l2_buffer& buffer) const noexcept {
+Timestamp V4l2Camera::t_exposure(const v4l2_buffer& buffer, Timestamp now) const noexcept {
   const bool at_start = (buffer.flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
-  const std::int64_t half = exposure_ns_ / 2;
-  // A driver that marks the readout as the start would date a long exposure into the future.
-  if (at_start) return {std::min(stamp_ns(buffer) + half, monotonic_now().ns)};
-  return {stamp_ns(buffer) - std::chrono::nanoseconds{options_.readout}.count() - half};
+  const StampMarks marks = at_start ? StampMarks::exposure_start : StampMarks::readout_end;
+  return mid_exposure(stamp_of(buffer), marks, std::chrono::nanoseconds{exposure_ns_}, options_.readout, now);
 }
 
 void V4l2Camera::queue(int index) noexcept {

@@ -9,8 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/capture/capture_counts.hpp"
+#include "hal/capture/luma_layout.hpp"
 #include "hal/ports/camera_port.hpp"
-#include "hal/v4l2/luma_layout.hpp"
 #include "hal/v4l2/video_calls.hpp"
 
 struct v4l2_buffer;
@@ -30,22 +31,14 @@ struct V4l2Options {
 };
 
 /// Streams into buffers of the driver that are mapped once, and lends their luma in place; where luma lies between
-/// chroma (YUYV and its like) it is copied into one image of its own. One frame is lent at a time. Single-planar
-/// devices only.
+/// chroma (YUYV and its like) it is copied into one image of its own, and where there is none the green of an RGB
+/// format. One frame is lent at a time. Single-planar devices only.
 ///
 /// Frames  t_exposure is mid-exposure of the first row, on CLOCK_MONOTONIC, when exposure is fixed; with automatic
-///         exposure the driver does not say how long it was, and half of it is missing.
+///         exposure the driver does not say how long it was, and half of it is missing. It rises from frame to frame.
 /// Heap    used in start and stop only.
 class V4l2Camera {
  public:
-  struct Counts {
-    std::uint64_t overtaken{};    ///< good frames that a newer one replaced before the loop took them
-    std::uint64_t corrupt{};      ///< refused: marked so by the driver
-    std::uint64_t wrong_size{};   ///< refused: shorter than the image
-    std::uint64_t wrong_stamp{};  ///< refused: not monotonic, older than max_age or of the future
-    std::uint64_t copied{};       ///< lent as a copy
-  };
-
   explicit V4l2Camera(V4l2Options options);
   V4l2Camera(V4l2Options options, std::unique_ptr<v4l2::VideoCalls> calls);
   ~V4l2Camera();
@@ -59,7 +52,8 @@ class V4l2Camera {
 
   std::string_view problem() const noexcept { return problem_; }            ///< why the last call was not ok
   const std::string& description() const noexcept { return description_; }  ///< of the running capture, for a log
-  const Counts& counts() const noexcept { return counts_; }                 ///< since the object was made
+  const std::string& warning() const noexcept { return warning_; }  ///< what the camera does otherwise; or empty
+  const CaptureCounts& counts() const noexcept { return counts_; }
 
  private:
   struct Buffer {
@@ -76,29 +70,30 @@ class V4l2Camera {
   void open_and_start();
   void map_buffers();
   void await_first_frame();
-  std::size_t bytes_needed() const noexcept;
+  std::size_t image_bytes() const noexcept;
   Status next_frame(Dequeued& newest, std::chrono::milliseconds wait) noexcept;
   bool dequeue_all(Dequeued& newest) noexcept;  ///< true: there is a newest one
-  std::uint64_t* objection(const v4l2_buffer& buffer) noexcept;
-  Timestamp mid_exposure(const v4l2_buffer& buffer) const noexcept;
+  std::uint64_t* objection(const v4l2_buffer& buffer, Timestamp now) noexcept;
+  Timestamp t_exposure(const v4l2_buffer& buffer, Timestamp now) const noexcept;
   void queue(int buffer) noexcept;
   Status fail(Status status, std::string_view why) noexcept { return problem_ = why, status; }
 
   V4l2Options options_;
   std::unique_ptr<v4l2::VideoCalls> calls_;
   int file_{kNone};
-  const v4l2::LumaLayout* layout_{};
+  const LumaLayout* layout_{};
   std::size_t stride_bytes_{};
   std::int64_t exposure_ns_{};  ///< 0 while automatic
   std::vector<Buffer> buffers_;
   std::vector<std::uint8_t> copy_;
   int lent_{kNone};
   bool broken_{false};  ///< only a new start can revive this capture
-  Counts counts_;
+  CaptureCounts counts_;
+  Timestamp t_newest_{};           ///< of the good frames since the start
   std::int64_t wrong_stamp_ns_{};  ///< the newest that was refused
   std::string start_problem_;
   std::string_view problem_;
-  std::string description_;
+  std::string description_, warning_;
 };
 static_assert(CameraPort<V4l2Camera>);
 

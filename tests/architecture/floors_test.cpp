@@ -48,6 +48,13 @@ TEST(Floors, ImplementationsOfThePortsNeverIncludeEachOther) {
   EXPECT_NE(findings("host_sim/world/a.cpp", "#include \"hal/replay/a.hpp\""), "");
 }
 
+TEST(Floors, ImplementationsOfThePortsShareWhatLiesBelowThem) {
+  constexpr std::string_view kShared = "#include \"hal/posix/a.hpp\"\n#include \"hal/capture/a.hpp\"\n";
+  EXPECT_EQ(findings("hal/v4l2/a.cpp", kShared), "");
+  EXPECT_NE(findings("hal/posix/a.cpp", "#include \"hal/v4l2/a.hpp\""), "");
+  EXPECT_NE(findings("hal/capture/a.cpp", "#include \"hal/v4l2/a.hpp\""), "");
+}
+
 TEST(Floors, OnlyTheProgramsJoinEverything) {
   constexpr std::string_view kAll = "#include \"hal/replay/a.hpp\"\n#include \"static_models/mire/mire.hpp\"\n";
   EXPECT_EQ(findings("hal/app/main.cpp", kAll), "");

@@ -10,6 +10,7 @@
 
 #include "core/camera_parameters.hpp"
 #include "hal/app/board/board_options.hpp"
+#include "hal/capture/capture_counts.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 #include "hal/replay/loop_camera.hpp"
 #include "hal/replay/pgm_camera.hpp"
@@ -38,6 +39,15 @@ inline std::optional<std::chrono::microseconds> exposure_of(const BoardOptions& 
   return std::chrono::microseconds{static_cast<std::int64_t>(*options.exposure_us)};
 }
 
+/// Frames that the loop did not see.
+inline void print_counts(const hal::CaptureCounts& counts) {
+  fmt::print(stderr,
+             "camera  frames overtaken {}  refused: starting up {}  corrupt {}  cancelled {}  wrong size {}  "
+             "wrong stamp {}  out of order {}\n",
+             counts.overtaken, counts.starting_up, counts.corrupt, counts.cancelled, counts.wrong_size,
+             counts.wrong_stamp, counts.out_of_order);
+}
+
 /// Starts a real camera and keeps it alive while `job` runs with it.
 template <class Camera, class Job>
 std::string with_real_camera(const BoardOptions& options, Camera& camera, Job&& job) {
@@ -45,11 +55,13 @@ std::string with_real_camera(const BoardOptions& options, Camera& camera, Job&& 
   hal::SupervisedCamera supervised{camera, clock, {.period = frame_period(options)}};
   if (const Status status = supervised.start(); status != Status::ok) return why_no_camera(options, status, camera);
   fmt::print(stderr, "camera  {}\n", camera.description());
+  if (!camera.warning().empty()) fmt::print(stderr, "camera  warning: {}\n", camera.warning());
   const std::string problem = job(supervised);
   const auto [restarts, failed_attempts] = supervised.counts();
   if (!options.quiet && restarts + failed_attempts > 0) {
     fmt::print(stderr, "camera  started anew {} times, after {} attempts that failed\n", restarts, failed_attempts);
   }
+  if (!options.quiet) print_counts(camera.counts());
   return problem;
 }
 
@@ -59,8 +71,7 @@ std::string with_camera(const BoardOptions& options, const CameraParameters& par
   const int width_px = parameters.width_px, height_px = parameters.height_px;
   switch (options.source) {
     case BoardOptions::Source::replay: {
-      hal::LoopCamera camera{
-          {hal::find_frames(options.device), options.rate_hz, width_px, height_px, options.num_frames}};
+      hal::LoopCamera camera{{hal::find_frames(options.device), options.rate_hz, width_px, height_px}};
       const Status status = camera.start();
       return status == Status::ok ? job(camera) : why_no_camera(options, status, camera);
     }
@@ -81,7 +92,7 @@ std::string with_camera(const BoardOptions& options, const CameraParameters& par
   chosen.period = frame_period(options);
   chosen.exposure = exposure_of(options);
   chosen.gain = options.gain;
-  if (options.stamps_readout) chosen.stamp = hal::StampMarks::readout_start;
+  chosen.stamp = options.stamp;
   hal::LibcameraCamera camera{chosen};
   return with_real_camera(options, camera, job);
 #else

@@ -48,10 +48,11 @@ void declare_camera(CLI::App& app, BoardOptions& options) {
   app.add_option("--gain", options.gain, "sensor gain; v4l2: in the device's own units (default: automatic)")
       ->check(CLI::Range(0.0, 65535.0));
   app.add_option(
-         "--stamp", options.stamps_readout,
-         "what libcamera's time stamp marks: exposure, or readout (cameras on CSI whose driver stamps the first "
-         "row when it arrives)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"exposure", false}, {"readout", true}}))
+         "--stamp", options.stamp,
+         "what libcamera's time stamp marks: the start of the exposure, or of the readout (default: readout where the "
+         "camera tells the exposure of each frame, as those on CSI do)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, hal::StampMarks>{
+          {"exposure", hal::StampMarks::exposure_start}, {"readout", hal::StampMarks::readout_start}}))
       ->option_text("exposure|readout");
   app.add_option("--frames", options.num_frames, "stop after so many frames (0: never)");
 }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/tracker/options.hpp"
+#include "hal/capture/exposure_stamp.hpp"
 #include "hal/wire/address.hpp"
 
 namespace articam::app {
@@ -18,7 +19,7 @@ struct BoardOptions {
   std::string device;  ///< id of libcamera's camera (empty: the first), device file, or folder of frames
   double rate_hz{30};
   std::optional<double> exposure_us, gain;  ///< none: automatic
-  bool stamps_readout{};                    ///< libcamera's time stamp marks the begin of readout, not of exposure
+  std::optional<hal::StampMarks> stamp;     ///< what libcamera's time stamp marks; none: as the camera tells
   std::uint64_t num_frames{};               ///< then stop; 0: never
 
   std::string link{wire::kDefaultAddress};  ///< or "stdout"

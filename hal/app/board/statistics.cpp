@@ -54,7 +54,7 @@ Statistics::Statistics(bool prints) {
 
 Statistics::~Statistics() {
   ends_ = true;
-  wake_.release();
+  wake_.post();
   if (printer_.joinable()) printer_.join();
 }
 
@@ -68,14 +68,14 @@ void Statistics::add(const Turn& turn, const hal::Counters& counters) noexcept {
   if (seconds_between(t_window_, turn.now) < 1 || told_full_.load(std::memory_order_acquire)) return;
   told_ = window_;
   told_full_.store(true, std::memory_order_release);
-  if (printer_.joinable()) wake_.release();
+  if (printer_.joinable()) wake_.post();
   window_ = {};
   t_window_ = turn.now;
 }
 
 void Statistics::print() noexcept {
   for (;;) {
-    wake_.acquire();
+    wake_.wait();
     if (ends_) return;
     const WindowText line{told_};
     std::fwrite(line.text().data(), 1, line.text().size(), stderr);

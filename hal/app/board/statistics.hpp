@@ -5,12 +5,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <semaphore>
 #include <string_view>
 #include <thread>
 
 #include "core/timestamp.hpp"
 #include "core/tracker/estimate.hpp"
+#include "hal/posix/semaphore.hpp"
 #include "hal/run_loop.hpp"
 
 namespace articam::app {
@@ -66,7 +66,7 @@ class Statistics {
 
   LoopWindow told_;  ///< the printer's while told_full_
   std::atomic<bool> told_full_{false}, ends_{false};
-  std::counting_semaphore<> wake_{0};
+  hal::Semaphore wake_;
   std::thread printer_;
 };
 

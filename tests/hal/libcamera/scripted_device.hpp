@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "hal/capture/luma_layout.hpp"
 #include "hal/libcamera/capture_device.hpp"
-#include "hal/libcamera/luma_layout.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 
 namespace articam::test {
@@ -24,8 +28,9 @@ class ScriptedDevice final : public hal::CaptureDevice {
   std::int64_t exposure_ns{};
   hal::Controls controls;
   std::string opened;
-  std::vector<int> queued;  ///< the buffers that the camera may write into; calls no heap after configure
-  bool refuses_buffers{false};
+  std::atomic<bool> refuses_buffers{false};
+  std::atomic<std::thread::id> queuer{};  ///< who gave the last buffer back
+  int being_read{-1}, reads{};            ///< as begin_reading and end_reading say
   int closes{};
 
   std::vector<std::string> cameras() override { return plugged_in ? ids : std::vector<std::string>{}; }
@@ -34,7 +39,7 @@ class ScriptedDevice final : public hal::CaptureDevice {
   hal::Stream configure(std::uint32_t format, int width_px, int height_px, int buffers) override {
     const auto wide = static_cast<std::size_t>(width_px) * 4 + 32;  // room for any layout, and padding
     memory.assign(static_cast<std::size_t>(buffers), std::vector<std::uint8_t>(wide * std::size_t(height_px), 100));
-    queued.reserve(memory.size());
+    queued_.reserve(memory.size());
     hal::Stream stream{format, width_px, height_px, wide, {}};
     for (const auto& bytes : memory) stream.buffers.emplace_back(bytes);
     bend_stream(stream);
@@ -45,29 +50,46 @@ class ScriptedDevice final : public hal::CaptureDevice {
   void start(const hal::Controls& wanted, hal::CaptureEvents& events) override {
     controls = wanted;
     events_ = &events;
-    for (int i = 0; i < static_cast<int>(memory.size()); ++i) queued.push_back(i);
+    for (int i = 0; i < static_cast<int>(memory.size()); ++i) queued_.push_back(i);
     on_start();
   }
 
+  void begin_reading(int buffer) noexcept override {
+    being_read = being_read == -1 ? buffer : -2;
+    ++reads;
+  }
+  void end_reading(int buffer) noexcept override { being_read = being_read == buffer ? -1 : -2; }
+
   bool queue(int buffer) noexcept override {
-    if (refuses_buffers || std::ranges::count(queued, buffer) != 0) return false;
-    queued.push_back(buffer);
+    const std::lock_guard lock{mutex_};
+    if (refuses_buffers || std::ranges::count(queued_, buffer) != 0) return false;
+    queued_.push_back(buffer);
+    queuer = std::this_thread::get_id();
+    changed_.notify_all();
     return true;
+  }
+
+  /// Whether the camera comes to have so many buffers to write into.
+  bool has_free(std::size_t num_buffers) {
+    std::unique_lock lock{mutex_};
+    return changed_.wait_for(lock, std::chrono::seconds{10}, [&] { return queued_.size() == num_buffers; });
   }
 
   void close() noexcept override {
     ++closes;
-    for (const int buffer : std::exchange(queued, {})) {  // as libcamera does on stop
+    for (const int buffer : std::exchange(queued_, {})) {  // as libcamera does on stop
       events_->completed({.buffer = buffer, .health = hal::CompletedBuffer::Health::cancelled});
     }
     events_ = nullptr;
   }
 
-  /// The next free buffer as it comes back; false when the camera has none to write into.
+  /// The next free buffer as it comes back; false when the camera is given none to write into.
   bool complete(std::uint32_t sequence, const std::function<void(hal::CompletedBuffer&)>& bend = {}) {
-    if (queued.empty()) return false;
-    const int i = queued.front();
-    queued.erase(queued.begin());
+    std::unique_lock lock{mutex_};
+    if (!changed_.wait_for(lock, std::chrono::seconds{10}, [&] { return !queued_.empty(); })) return false;
+    const int i = queued_.front();
+    queued_.erase(queued_.begin());
+    lock.unlock();
     hal::CompletedBuffer buffer{i, {}, sequence, hal::MonotonicClock{}.now(), exposure_ns, bytes_used};
     if (bend) bend(buffer);
     events_->completed(buffer);
@@ -84,6 +106,9 @@ class ScriptedDevice final : public hal::CaptureDevice {
 
  private:
   hal::CaptureEvents* events_{};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<int> queued_;  ///< the buffers that the camera may write into; calls no heap after configure
 };
 
 }  // namespace articam::test

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <functional>
 #include <map>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -30,6 +31,7 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
   std::function<void()> on_stream = [this] { complete(0); };                    ///< the first frame
   std::map<std::uint32_t, Setting> settings;                                    ///< by V4L2_CID_*
   v4l2_fract period{1, 25};
+  std::optional<v4l2_fract> nearest_period;  ///< what it makes of any period
   bool period_can_be_set{false}, takes_buffers{true};
   std::uint32_t stamp_flags{V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_TSTAMP_SRC_SOE};
   std::size_t buffer_length{};  ///< 0: as long as the image needs
@@ -49,7 +51,7 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
     queued.erase(queued.begin());
     buffer.bytesused = static_cast<std::uint32_t>(image_bytes);
     buffer.sequence = sequence;
-    set_stamp(buffer, hal::MonotonicClock{}.now().ns);
+    set_stamp(buffer, next_microsecond_ns());
     if (bend) bend(buffer);
     ready_.push_back(buffer);
     return true;
@@ -103,6 +105,13 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
   }
 
  private:
+  /// V4L2 counts microseconds, and no camera takes two frames in one.
+  std::int64_t next_microsecond_ns() noexcept {
+    const std::int64_t last_us = last_stamp_us_;
+    while (last_stamp_us_ == last_us) last_stamp_us_ = hal::MonotonicClock{}.now().ns / 1000;
+    return last_stamp_us_ * 1000;
+  }
+
   int enumerate(v4l2_fmtdesc& out) const noexcept {
     if (out.index >= formats.size()) return -EINVAL;
     out.pixelformat = formats[out.index];
@@ -112,6 +121,7 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
   int set_format(v4l2_pix_format& pix) noexcept {
     const bool interleaved = pix.pixelformat == V4L2_PIX_FMT_YUYV || pix.pixelformat == V4L2_PIX_FMT_UYVY;
     pix.bytesperline = pix.width * (interleaved ? 2 : 1) + 16;
+    if (pix.pixelformat == V4L2_PIX_FMT_RGB24) pix.bytesperline = pix.width * 3;
     format = pix.pixelformat;
     image_bytes = std::size_t{pix.bytesperline} * pix.height;
     queued.reserve(kBuffers);
@@ -122,7 +132,7 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
 
   int set_period(v4l2_captureparm& capture, bool set) noexcept {
     capture.capability = period_can_be_set ? V4L2_CAP_TIMEPERFRAME : 0;
-    if (set) period = capture.timeperframe;
+    if (set) period = nearest_period.value_or(capture.timeperframe);
     capture.timeperframe = period;
     return 0;
   }
@@ -179,6 +189,7 @@ class ScriptedVideoDevice final : public hal::v4l2::VideoCalls {
   }
 
   std::vector<v4l2_buffer> ready_;
+  std::int64_t last_stamp_us_{};
 };
 
 }  // namespace articam::test

@@ -2,48 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/hal/v4l2/scripted_video_device.hpp"
+#include "tests/hal/v4l2/camera_on_script.hpp"
 #include "tests/support/heap_trap.hpp"
 
 namespace articam {
 namespace {
 
 using namespace std::chrono_literals;
+using test::kHeight_px, test::kStride, test::kWidth_px;
 
-constexpr int kWidth_px = 16, kHeight_px = 8;
-constexpr std::size_t kStride = kWidth_px + 16;
-
-class V4l2Camera : public testing::Test {
- protected:
-  void make(hal::V4l2Options options = {}) {
-    options.width_px = kWidth_px;
-    options.height_px = kHeight_px;
-    options.first_frame_wait = 20ms;
-    auto owned = std::make_unique<test::ScriptedVideoDevice>();
-    device = owned.get();
-    camera = std::make_unique<hal::V4l2Camera>(options, std::move(owned));
-  }
-  void SetUp() override { make(); }
-
-  Status start_with(const std::function<void(v4l2_pix_format&)>& bend) {
-    device->bend_format = bend;
-    return camera->start();
-  }
-  bool says(std::string_view words) const { return camera->problem().find(words) != std::string_view::npos; }
-
-  /// A bad buffer comes back: nobody sees it, and the device may write into it again.
-  void expect_refused(const std::function<void(v4l2_buffer&)>& bend) {
-    ASSERT_TRUE(device->complete(1, bend));
-    frame = {};
-    EXPECT_EQ(camera->acquire(frame, 0ms), Status::timeout);
-    EXPECT_EQ(frame.pixels.data, nullptr);
-    EXPECT_EQ(device->queued.size(), 4u);
-  }
-
-  test::ScriptedVideoDevice* device{};
-  std::unique_ptr<hal::V4l2Camera> camera;
-  hal::Frame frame;
-};
+class V4l2Camera : public test::VideoCameraOnScript {};
 
 TEST_F(V4l2Camera, LendsLumaInPlaceWithTheStrideOfTheDevice) {
   ASSERT_EQ(camera->start(), Status::ok) << camera->problem();
@@ -94,43 +62,16 @@ TEST_F(V4l2Camera, SaysWhyADeviceCannotBeTaken) {
   EXPECT_EQ(camera->start(), Status::bad_argument);
 }
 
-TEST_F(V4l2Camera, RefusesAnotherSizeFormatStrideOrBufferLengthBeforeItStreams) {
-  device->on_stream = [] { FAIL() << "the capture ran"; };
-  EXPECT_EQ(start_with([](v4l2_pix_format& f) { f.width = 32; }), Status::bad_argument);
-  EXPECT_TRUE(says("32 x 8") && says("16 x 8")) << camera->problem();
-  EXPECT_EQ(start_with([](v4l2_pix_format& f) { f.pixelformat = V4L2_PIX_FMT_MJPEG; }), Status::bad_argument);
-  EXPECT_EQ(start_with([](v4l2_pix_format& f) { f.field = V4L2_FIELD_INTERLACED; }), Status::bad_argument);
-  EXPECT_EQ(start_with([](v4l2_pix_format& f) { f.bytesperline = kWidth_px - 1; }), Status::bad_argument);
-  EXPECT_TRUE(says("rows"));
-  device->buffer_length = kStride * (kHeight_px - 1) + kWidth_px - 1;
-  EXPECT_EQ(start_with([](v4l2_pix_format&) {}), Status::bad_argument);
-  EXPECT_TRUE(says("buffers"));
-  device->formats = {V4L2_PIX_FMT_MJPEG};
-  EXPECT_EQ(camera->start(), Status::bad_argument);
-  EXPECT_TRUE(says("no 8-bit format"));
-}
-
-TEST_F(V4l2Camera, FixesExposureGainAndPeriodWhereTheDeviceCan) {
-  make({.period = 33333us, .exposure = 4000us, .gain = 20});
-  EXPECT_EQ(camera->start(), Status::bad_argument);
-  EXPECT_TRUE(says("cannot fix its exposure"));
-  device->settings[V4L2_CID_EXPOSURE_AUTO] = {0, 3, V4L2_EXPOSURE_APERTURE_PRIORITY};
-  device->settings[V4L2_CID_EXPOSURE_ABSOLUTE] = {1, 30, 0};
-  EXPECT_EQ(camera->start(), Status::bad_argument);  // 4 ms are 40 units
-  EXPECT_TRUE(says("1 to 30"));
-  device->settings[V4L2_CID_EXPOSURE_ABSOLUTE].max = 5000;
-  EXPECT_EQ(camera->start(), Status::bad_argument);
-  EXPECT_TRUE(says("cannot fix its gain"));
-  device->settings[V4L2_CID_GAIN] = {0, 100, 0};
+TEST_F(V4l2Camera, CopiesGreenOnlyWhereNothingBetterIsOfferedAndSaysSo) {
+  device->formats = {V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_RGB24};
   ASSERT_EQ(camera->start(), Status::ok) << camera->problem();
-  EXPECT_EQ(device->settings[V4L2_CID_EXPOSURE_AUTO].value, V4L2_EXPOSURE_MANUAL);
-  EXPECT_EQ(device->settings[V4L2_CID_EXPOSURE_ABSOLUTE].value, 40);
-  EXPECT_EQ(device->settings[V4L2_CID_GAIN].value, 20);
-  EXPECT_NE(camera->description().find("the device's own"), std::string::npos);
-  device->period_can_be_set = true;
-  ASSERT_EQ(camera->start(), Status::ok);
-  EXPECT_EQ(device->period.numerator, 33333u);
-  EXPECT_EQ(camera->description().find("the device's own"), std::string::npos);
+  EXPECT_NE(camera->description().find("GREEN COPIED"), std::string::npos) << camera->description();
+  for (auto& bytes : device->memory) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = i % 3 == 1 ? 50 : 0;
+  }
+  ASSERT_TRUE(device->complete(1));
+  ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
+  for (int u = 0; u < kWidth_px; ++u) EXPECT_EQ(frame.pixels.row(kHeight_px - 1)[u], 50);
 }
 
 TEST_F(V4l2Camera, GivesOutTheMiddleOfTheExposureWhicheverEndTheStampMarks) {
@@ -140,7 +81,7 @@ TEST_F(V4l2Camera, GivesOutTheMiddleOfTheExposureWhicheverEndTheStampMarks) {
     device->stamp_flags = std::uint32_t(V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | marks);
     const std::int64_t stamp_ns = (hal::MonotonicClock{}.now().ns / 1000 - 20'000) * 1000;  // V4L2 counts us
     const auto stamp = [&](v4l2_buffer& b) { device->set_stamp(b, stamp_ns); };
-    device->on_stream = [&] { device->complete(0, stamp); };
+    device->on_stream = [&] { device->complete(0, [&](v4l2_buffer& b) { device->set_stamp(b, stamp_ns - 1000); }); };
     ASSERT_EQ(camera->start(), Status::ok) << camera->problem();
     ASSERT_TRUE(device->complete(1, stamp));
     ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
@@ -189,6 +130,18 @@ TEST_F(V4l2Camera, RefusesAStampThatJumpsWhileItRunsAndGoesOnWithTheNext) {
   ASSERT_TRUE(device->complete(2));
   EXPECT_EQ(camera->acquire(frame, 0ms), Status::ok);
   camera->release(frame);
+}
+
+TEST_F(V4l2Camera, RefusesAFrameThatIsNotLaterThanTheOneBeforeItAndGoesOnWithTheNext) {
+  ASSERT_EQ(camera->start(), Status::ok);
+  timeval newest{};
+  ASSERT_TRUE(device->complete(1, [&](v4l2_buffer& b) { newest = b.timestamp; }));
+  ASSERT_TRUE(device->complete(2, [&](v4l2_buffer& b) { b.timestamp = newest; }));
+  ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
+  EXPECT_EQ(frame.sequence, 1u) << "a stray takes nobody's place";
+  camera->release(frame);
+  expect_refused([&](v4l2_buffer& b) { device->set_stamp(b, hal::MonotonicClock{}.now().ns - 500'000'000); });
+  EXPECT_EQ(camera->counts().out_of_order, 2u);
 }
 
 TEST_F(V4l2Camera, UnpluggedSaysSoAtOnceAndLivesAgainAfterANewStart) {

@@ -1,7 +1,9 @@
-#include "hal/libcamera/luma_layout.hpp"
+#include "hal/capture/luma_layout.hpp"
 
 #include <gtest/gtest.h>
+#include <linux/videodev2.h>
 
+#include <set>
 #include <vector>
 
 namespace articam {
@@ -37,7 +39,21 @@ TEST(LumaLayout, OfEveryFormatStaysWithinTheBytesThatItSaysItNeeds) {
   }
 }
 
-TEST(LumaLayout, WritesItsCodesAsTheDrmHeadersDo) { EXPECT_EQ(fourcc("NV12"), 0x3231564eu); }
+TEST(LumaLayout, WritesItsCodesAsTheHeadersOfDrmAndV4l2Do) {
+  EXPECT_EQ(fourcc("NV12"), 0x3231564eu);  // DRM_FORMAT_NV12
+  for (const std::uint32_t format :
+       {V4L2_PIX_FMT_GREY, V4L2_PIX_FMT_NV12, V4L2_PIX_FMT_NV21, V4L2_PIX_FMT_NV16, V4L2_PIX_FMT_NV61,
+        V4L2_PIX_FMT_YUV420, V4L2_PIX_FMT_YVU420, V4L2_PIX_FMT_YUV422P, V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_YVYU,
+        V4L2_PIX_FMT_UYVY, V4L2_PIX_FMT_VYUY, V4L2_PIX_FMT_RGB24, V4L2_PIX_FMT_BGR24, V4L2_PIX_FMT_XBGR32,
+        V4L2_PIX_FMT_XRGB32, V4L2_PIX_FMT_RGBX32, V4L2_PIX_FMT_BGRX32}) {
+    EXPECT_NE(preferred_layout(std::array{format}), nullptr) << format;
+  }
+}
+
+TEST(LumaLayout, HasNoCodeTwice) {
+  std::set<std::uint32_t> codes;
+  for (const auto& layout : hal::kLumaLayouts) EXPECT_TRUE(codes.insert(layout.format).second) << layout.name;
+}
 
 }  // namespace
 }  // namespace articam

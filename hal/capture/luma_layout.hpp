@@ -4,13 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 
 namespace articam::hal {
 
-/// Four characters as DRM and libcamera count them (drm_fourcc.h).
+/// Four characters as drm_fourcc.h and videodev2.h count them.
 constexpr std::uint32_t fourcc(const char (&text)[5]) noexcept {
   std::uint32_t code = 0;
   for (int i = 3; i >= 0; --i) code = code << 8 | static_cast<std::uint8_t>(text[i]);
@@ -22,32 +21,30 @@ struct LumaLayout {
   std::uint32_t format;  ///< fourcc
   std::ptrdiff_t first;
   std::ptrdiff_t step;
-  std::string_view name;  ///< as libcamera writes it
+  std::string_view name;
 
   constexpr bool in_place() const noexcept { return first == 0 && step == 1; }
   constexpr bool is_luma() const noexcept { return step <= 2; }  ///< else green stands in for it
+
+  /// For a log.
+  constexpr std::string_view how_lent() const noexcept {
+    if (in_place()) return "luma in place";
+    return is_luma() ? "luma copied: it lies between the chroma"
+                     : "GREEN COPIED: the camera offers no luma, colours will be seen as their green";
+  }
 };
 
 /// In the order of preference: a plane of luma, luma between chroma, the green of a colour image. Compressed, packed
-/// 10-bit and raw Bayer formats are not here and never chosen.
-inline constexpr std::array<LumaLayout, 18> kLumaLayouts{{
-    {fourcc("R8  "), 0, 1, "R8"},
-    {fourcc("NV12"), 0, 1, "NV12"},
-    {fourcc("NV21"), 0, 1, "NV21"},
-    {fourcc("YU12"), 0, 1, "YUV420"},
-    {fourcc("YV12"), 0, 1, "YVU420"},
-    {fourcc("NV16"), 0, 1, "NV16"},
-    {fourcc("NV61"), 0, 1, "NV61"},
-    {fourcc("YU16"), 0, 1, "YUV422"},
-    {fourcc("YUYV"), 0, 2, "YUYV"},
-    {fourcc("YVYU"), 0, 2, "YVYU"},
-    {fourcc("UYVY"), 1, 2, "UYVY"},
-    {fourcc("VYUY"), 1, 2, "VYUY"},
-    {fourcc("BG24"), 1, 3, "BGR888"},
-    {fourcc("RG24"), 1, 3, "RGB888"},
-    {fourcc("XR24"), 1, 4, "XRGB8888"},
-    {fourcc("XB24"), 1, 4, "XBGR8888"},
-    {fourcc("RX24"), 2, 4, "RGBX8888"},
+/// 10-bit and raw Bayer formats are not here and never chosen. Where libcamera (DRM) and V4L2 call one layout by two
+/// codes both are here; no code means two layouts.
+inline constexpr std::array<LumaLayout, 22> kLumaLayouts{{
+    {fourcc("R8  "), 0, 1, "R8"},       {fourcc("GREY"), 0, 1, "GREY"},     {fourcc("NV12"), 0, 1, "NV12"},
+    {fourcc("NV21"), 0, 1, "NV21"},     {fourcc("YU12"), 0, 1, "YUV420"},   {fourcc("YV12"), 0, 1, "YVU420"},
+    {fourcc("NV16"), 0, 1, "NV16"},     {fourcc("NV61"), 0, 1, "NV61"},     {fourcc("YU16"), 0, 1, "YUV422"},
+    {fourcc("422P"), 0, 1, "YUV422P"},  {fourcc("YUYV"), 0, 2, "YUYV"},     {fourcc("YVYU"), 0, 2, "YVYU"},
+    {fourcc("UYVY"), 1, 2, "UYVY"},     {fourcc("VYUY"), 1, 2, "VYUY"},     {fourcc("BG24"), 1, 3, "BGR888"},
+    {fourcc("RG24"), 1, 3, "RGB888"},   {fourcc("RGB3"), 1, 3, "RGB24"},    {fourcc("BGR3"), 1, 3, "BGR24"},
+    {fourcc("XR24"), 1, 4, "XRGB8888"}, {fourcc("XB24"), 1, 4, "XBGR8888"}, {fourcc("RX24"), 2, 4, "RGBX8888"},
     {fourcc("BX24"), 2, 4, "BGRX8888"},
 }};
 

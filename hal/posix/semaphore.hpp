@@ -8,18 +8,20 @@
 #include <cerrno>
 #include <chrono>
 
+#include "hal/posix/monotonic_clock.hpp"
+
 namespace articam::hal {
 
-/// Each raise lets one wait pass, in whichever order they come. What was written before the raise can be read after
-/// the wait. No heap, and a raise never waits.
-class Signal {
+/// Each post lets one wait pass, in whichever order they come. What was written before the post can be read after the
+/// wait. No heap, and a post never waits.
+class Semaphore {
  public:
-  Signal() noexcept { ::sem_init(&semaphore_, 0, 0); }
-  ~Signal() { ::sem_destroy(&semaphore_); }
-  Signal(const Signal&) = delete;
-  Signal& operator=(const Signal&) = delete;
+  Semaphore() noexcept { ::sem_init(&semaphore_, 0, 0); }
+  ~Semaphore() { ::sem_destroy(&semaphore_); }
+  Semaphore(const Semaphore&) = delete;
+  Semaphore& operator=(const Semaphore&) = delete;
 
-  void raise() noexcept {
+  void post() noexcept {
     order_.fetch_add(1, std::memory_order_release);
     ::sem_post(&semaphore_);
   }
@@ -29,13 +31,12 @@ class Signal {
     order_.fetch_add(1, std::memory_order_acquire);
   }
 
-  /// False when nobody raised it within so long.
+  /// False when there was no post within so long.
   bool wait(std::chrono::milliseconds at_most) noexcept {
+    const std::int64_t until_ns = MonotonicClock{}.now().ns + std::chrono::nanoseconds{at_most}.count();
     timespec until{};
-    ::clock_gettime(CLOCK_MONOTONIC, &until);
-    const auto ns = std::chrono::nanoseconds{at_most}.count() + until.tv_nsec;
-    until.tv_sec += static_cast<time_t>(ns / 1'000'000'000);
-    until.tv_nsec = static_cast<long>(ns % 1'000'000'000);
+    until.tv_sec = static_cast<time_t>(until_ns / 1'000'000'000);
+    until.tv_nsec = static_cast<long>(until_ns % 1'000'000'000);
     while (::sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until) != 0) {
       if (errno != EINTR) return false;
     }
@@ -43,7 +44,7 @@ class Signal {
     return true;
   }
 
-  /// Forgets what was raised; only while no other thread uses it.
+  /// Forgets what was posted; only while no other thread uses it.
   void clear() noexcept {
     while (::sem_trywait(&semaphore_) == 0) continue;
   }
