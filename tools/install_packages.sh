@@ -15,8 +15,8 @@ wanted=(
   nanopb libnanopb-dev libsodium-dev
   # articam-listen: the link's messages, and ROS 2's
   libfastcdr-dev libprotobuf-dev protobuf-compiler
-  # the board's program: cameras, and systemd
-  libcamera-dev libsystemd-dev
+  # the board's program: cameras
+  libcamera-dev
   # the figures of the report, and real frames
   gnuplot-nox visp-images-data
   "$@"

@@ -30,7 +30,7 @@ done
 # What a board's program and the tests link; the list is the same for both Linux boards.
 libraries=(
   libbenchmark-dev libc6-dev libcairo2-dev libcamera-dev libcli11-dev libeigen3-dev libfastcdr-dev libfmt-dev
-  libgtest-dev libmd-dev libnanopb-dev libprotobuf-dev libsodium-dev libsystemd-dev libtinyxml2-dev libyaml-cpp-dev
+  libgtest-dev libmd-dev libnanopb-dev libprotobuf-dev libsodium-dev libtinyxml2-dev libyaml-cpp-dev
   nlohmann-json3-dev)
 
 packages=()

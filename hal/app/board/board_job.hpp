@@ -53,11 +53,11 @@ class BoardJob {
                                 options_.priority > 0 ? hal::set_fifo_priority(options_.priority) : std::string{}}) {
       if (!warning.empty()) warn(title_.name, warning);
     }
-    hal::tell_ready();
+    service_.tell_ready();
     const hal::MemoryUse before = hal::memory_use();
     turn(loop, statistics);
     const hal::MemoryUse after = hal::memory_use();
-    hal::tell_stopping();
+    service_.tell_stopping();
     loop.stop();
     return conclude(statistics, before, after);
   }
@@ -97,14 +97,13 @@ class BoardJob {
 
   template <class Loop>
   void turn(Loop& loop, Statistics& statistics) {
-    hal::Watchdog watchdog;
     while (g_stop_asked == 0) {
       const hal::Tick tick = loop.run_once();
       if (tick == hal::Tick::ended) return;
       const Timestamp now = clock_.now();
       const Estimate& estimate = tee_.latest();
       statistics.add({now, tick, estimate.t_capture, estimate.status, estimate.reason}, loop.counters());
-      watchdog.feed(std::chrono::steady_clock::time_point{std::chrono::nanoseconds{now.ns}});
+      service_.feed_watchdog(now);
       if (options_.num_frames > 0 && loop.counters().frames >= options_.num_frames) return;
     }
   }
@@ -135,6 +134,7 @@ class BoardJob {
   hal::Recorder recorder_;
   BoardLink<Estimate> link_;
   hal::TeeLink<Estimate, BoardLink<Estimate>> tee_{link_};  // the newest one also to the statistics
+  hal::Service service_;
 };
 
 }  // namespace articam::app
