@@ -120,9 +120,9 @@ TEST_F(SignedPackets, OfABoardThatStartedAgainAreTakenAndNoCounterComesTwice) {
   Intake intake{0, &verifier};
   std::uint64_t last = 0;
   for (std::uint32_t start = 0; start < 20; ++start) {
-    hal::KeyedSigner board{key_, counter(), 10};  // small blocks: some run out, too
+    hal::KeyedSigner board{key_, counter(), 10};
     ASSERT_EQ(board.open(), Status::ok);
-    for (std::uint32_t k = 0; k < start; ++k) {
+    for (std::uint32_t k = 0; k < 10; ++k) {  // to the end of its block
       const Bytes bytes = packet(100 * start + k, &board);
       ASSERT_EQ(intake.take(bytes, {}), Taken::estimate);
       wire::PacketView view;
@@ -138,9 +138,13 @@ TEST_F(SignedPackets, AreNotSentWhenNoCounterCanBePromised) {
   ASSERT_EQ(board.open(), Status::ok);
   EXPECT_FALSE(packet(1, &board).empty());
   EXPECT_FALSE(packet(2, &board).empty());
+  EXPECT_TRUE(packet(3, &board).empty());  // its block is used up, and only a start may go to the disk
+  ASSERT_EQ(board.open(), Status::ok);
+  EXPECT_FALSE(packet(3, &board).empty());
   std::ofstream{counter()} << "another file";
-  EXPECT_TRUE(packet(3, &board).empty());
+  EXPECT_EQ(board.open(), Status::bad_argument);
   EXPECT_NE(board.problem().find("no whole counter file"), std::string::npos) << board.problem();
+  EXPECT_TRUE(packet(4, &board).empty());
 }
 
 TEST_F(SignedPackets, OfYesterdayAreRefusedByAControllerThatStartedAgain) {
