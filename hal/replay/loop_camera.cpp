@@ -45,7 +45,6 @@ Status LoopCamera::load() {
 
 Status LoopCamera::acquire(Frame& out, std::chrono::milliseconds wait) noexcept {
   if (frames_.empty()) return Status::no_device;
-  if (options_.num_frames > 0 && next_ >= options_.num_frames) return Status::end_of_stream;
   if (!running_) begin_ = Clock::now(), running_ = true;
   const Timestamp offset = from_seconds(static_cast<double>(next_) / options_.rate_hz);
   const auto due = begin_ + std::chrono::nanoseconds{offset.ns};

@@ -21,7 +21,6 @@ class LoopCamera {
     std::vector<std::filesystem::path> files;
     double rate_hz{30};
     int width_px{}, height_px{};  ///< what every file must have
-    std::uint64_t num_frames{};   ///< then end_of_stream; 0: never
   };
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  ///< of all frames together
 

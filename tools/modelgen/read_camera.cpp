@@ -112,7 +112,7 @@ std::optional<CameraParameters> read_camera(const SourceFile& source, Diagnostic
     read_base(map, source, camera, found);
     if (map.has("readout_time_s")) {
       found.warning(source.path, map.line_of_key("readout_time_s"), "readout_time_s",
-                    "is read and checked, but not used yet");
+                    "dates frames of V4L2 devices that stamp their end; the rows of a frame count as of one instant");
     }
   }
   diagnostics.append(found);

@@ -11,8 +11,9 @@
 namespace articam::modelgen {
 
 /// Keys  image_width, image_height, camera_matrix, distortion_model, distortion_coefficients; optional
-///       T_base_cam, and readout_time_s, which nothing uses yet (a warning says so). What ROS writes besides
-///       (rectification, projection) is not used: the estimator reads raw images.
+///       T_base_cam, and readout_time_s, which serves V4L2 devices that stamp the end of a frame and nothing else (a
+///       warning says so). What ROS writes besides (rectification, projection) is not used: the estimator reads raw
+///       images.
 /// Errors  missing or malformed values, a skewed camera matrix, a focal length outside 1 to 1e5 px, a principal point
 ///         farther off than 10 image sizes, images larger than the build takes, a distortion model other than
 ///         plumb_bob. All of them are told in one run.

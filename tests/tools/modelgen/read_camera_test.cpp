@@ -51,9 +51,9 @@ TEST(ReadCamera, RefusesDistortionModelsThatItWouldDrop) {
 }
 
 TEST(ReadCamera, TellsTheLineAndTheKeyOfWhatIsWrong) {
-  const auto unused = [](const std::string& key) {
-    return "c.yaml:6: " + key + ": warning: is read and checked, but not used yet\n";
-  };
+  const std::string of_little_use =
+      "c.yaml:6: readout_time_s: warning: dates frames of V4L2 devices that stamp their end; the rows of a frame count "
+      "as of one instant\n";
   EXPECT_EQ(messages(edited("525, 0", "525, 1")), "c.yaml:3: camera_matrix: is not (fx 0 cx, 0 fy cy, 0 0 1)\n");
   EXPECT_EQ(messages(edited("524", "-524")),
             "c.yaml:3: camera_matrix: has a focal length that is not between 1 and 1e5 px\n");
@@ -68,10 +68,10 @@ TEST(ReadCamera, TellsTheLineAndTheKeyOfWhatIsWrong) {
             "c.yaml:1: image_width: 4000 exceeds 1280, the largest this build takes\n");
   EXPECT_EQ(messages(edited("525", ".nan")), "c.yaml:3: camera_matrix data: '.nan' is not a finite number\n");
   EXPECT_EQ(messages(kCamera + "readout_time_s: -1\n"),
-            "c.yaml:6: readout_time_s: is not between 0 and 1 s\n" + unused("readout_time_s"));
+            "c.yaml:6: readout_time_s: is not between 0 and 1 s\n" + of_little_use);
   EXPECT_EQ(messages(kCamera + "T_base_cam: {position: [0, 0, 0], quaternion_wxyz: [1, 1, 0, 0]}\n"),
             "c.yaml:6: T_base_cam quaternion_wxyz: has norm 1.41421, not 1\n");
-  EXPECT_EQ(messages(kCamera + "readout_time_s: 0.02\n"), unused("readout_time_s"));
+  EXPECT_EQ(messages(kCamera + "readout_time_s: 0.02\n"), of_little_use);
   EXPECT_EQ(messages(kCamera + "readout_time: 1\n"), "c.yaml:6: readout_time: warning: unknown key, ignored\n");
 }
 
