@@ -169,7 +169,8 @@ void LibcameraCamera::queue(int buffer) noexcept {
 
 void LibcameraCamera::end(Ending why) noexcept {
   auto none = Ending::none;
-  ending_.compare_exchange_strong(none, why);  // the first reason is the cause
+  // The first reason is the cause. But a camera that is unplugged may refuse its buffers before that is told.
+  if (!ending_.compare_exchange_strong(none, why) && why == Ending::unplugged) ending_ = why;
   newest_.close();
 }
 

@@ -120,6 +120,9 @@ TEST_F(LibcameraCamera, ThatNoLongerTakesItsBuffersEndsAndSaysThatItWasThat) {
   camera->release(frame);
   EXPECT_EQ(camera->acquire(frame, 10s), Status::no_device);
   EXPECT_TRUE(says("a buffer could not be given back")) << camera->problem();
+  device->unplug();  // which was the cause, told late
+  EXPECT_EQ(camera->acquire(frame, 0ms), Status::no_device);
+  EXPECT_TRUE(says("unplugged")) << camera->problem();
 }
 
 TEST_F(LibcameraCamera, StopsInAnyStateAndLendsNothingAfterwards) {
