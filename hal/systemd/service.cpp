@@ -51,7 +51,7 @@ Service::~Service() {
 }
 
 void Service::tell_ready() noexcept { (void)tell("READY=1", 0); }
-void Service::tell_stopping() noexcept { (void)tell("STOPPING=1", 0); }
+void Service::tell_stopping() noexcept { (void)tell("STOPPING=1", MSG_DONTWAIT); }
 
 void Service::feed_watchdog(Timestamp now) noexcept {
   if (interval_.count() == 0 || now < next_) return;

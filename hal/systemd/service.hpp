@@ -21,8 +21,8 @@ class Service {
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
-  void tell_ready() noexcept;     ///< capture runs; waits until it is heard
-  void tell_stopping() noexcept;  ///< the end has begun; waits likewise
+  void tell_ready() noexcept;     ///< capture runs; waits until there is room
+  void tell_stopping() noexcept;  ///< the end has begun; where there is no room it is not said, and no reason to stay
 
   /// Every quarter of WatchdogSec at most. Whoever calls this is what is watched. Never waits: what finds no room is
   /// said by the next call. No heap.

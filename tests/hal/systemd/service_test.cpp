@@ -73,6 +73,7 @@ TEST_F(Service, NeverWaitsForAManagerWhoseQueueIsFullAndFeedsItWhenThereIsRoom) 
   std::int64_t t_ns = 1;
   int queued = 0;
   for (int i = 0; i < 10'000; ++i) service.feed_watchdog({t_ns += kQuarter_ns});  // it would hang here
+  service.tell_stopping();
   while (heard() == "WATCHDOG=1") ++queued;
   EXPECT_GT(queued, 0);
   EXPECT_LT(queued, 10'000) << "the queue never filled, nothing was shown";

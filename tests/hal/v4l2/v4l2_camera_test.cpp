@@ -134,7 +134,7 @@ TEST_F(V4l2Camera, RefusesAStampThatJumpsWhileItRunsAndGoesOnWithTheNext) {
 
 TEST_F(V4l2Camera, RefusesAFrameThatIsNotLaterThanTheOneBeforeItAndGoesOnWithTheNext) {
   ASSERT_EQ(camera->start(), Status::ok);
-  timeval newest{};
+  decltype(v4l2_buffer::timestamp) newest{};
   ASSERT_TRUE(device->complete(1, [&](v4l2_buffer& b) { newest = b.timestamp; }));
   ASSERT_TRUE(device->complete(2, [&](v4l2_buffer& b) { b.timestamp = newest; }));
   ASSERT_EQ(camera->acquire(frame, 0ms), Status::ok);
