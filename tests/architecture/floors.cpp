@@ -47,6 +47,7 @@ const std::vector<Room> kHouse{
     {"tools/listen/",        any,       {"core/*", "core/math/", "hal/wire/", "hal/posix/", "hal/authentication/",
                                          "tools/"}},
     {"tools/probe/main.cpp", any,       {"core/*", "core/math/", "core/model/", "static_models/", "tools/"}},
+    {"tools/markers/main.cpp", any,     {"core/*", "core/math/", "core/model/", "static_models/", "tools/"}},
     {"tools/",               any,       {"core/*", "core/math/", "core/model/", "tools/"}},
     // clang-format on
 };
