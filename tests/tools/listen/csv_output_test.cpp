@@ -47,7 +47,8 @@ TEST(CsvOutput, WritesTheBytesThatReplayWritesForTheSameEstimate) {
     const Estimate estimate = random_estimate(random, trial % 4 != 0);
     line.clear();
     hal::put_csv_row(estimate, line);
-    ASSERT_EQ(csv_row(kToMessage.estimate(estimate), static_cast<std::size_t>(model::kNumJoints<Model>)), line.text()) << "seed 12, trial " << trial;
+    constexpr auto kNumJoints = static_cast<std::size_t>(model::kNumJoints<Model>);
+    ASSERT_EQ(csv_row(kToMessage.estimate(estimate), kNumJoints), line.text()) << "seed 12, trial " << trial;
   }
 }
 
