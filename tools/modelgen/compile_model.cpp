@@ -10,7 +10,6 @@
 #include "tools/modelgen/emit_header.hpp"
 #include "tools/modelgen/expand_joints.hpp"
 #include "tools/modelgen/read_markers.hpp"
-#include "tools/modelgen/read_urdf.hpp"
 #include "tools/modelgen/resolve_mimics.hpp"
 
 namespace articam::modelgen {
@@ -49,6 +48,7 @@ std::optional<CompiledModel> compile_model(const CompileJob& job, Diagnostics& d
   std::vector<Origin> origins{origin("shape", job.urdf)};
   if (job.markers) origins.push_back(origin("markers", *job.markers));
   result.header = emit_header(result.table, job.type_name, origins, spell(job.options));
+  result.model = *std::move(model);
   return result;
 }
 

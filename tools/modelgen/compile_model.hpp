@@ -6,6 +6,7 @@
 
 #include "tools/modelgen/diagnostics.hpp"
 #include "tools/modelgen/model_options.hpp"
+#include "tools/modelgen/read_urdf.hpp"
 #include "tools/modelgen/reduce.hpp"
 #include "tools/modelgen/source_file.hpp"
 
@@ -19,6 +20,7 @@ struct CompileJob {
 };
 
 struct CompiledModel {
+  UrdfModel model;  ///< checked; planar and floating joints are elementary ones, mimics resolved
   Table table;
   std::string header;
 };

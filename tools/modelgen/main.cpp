@@ -1,27 +1,34 @@
 // articam-modelgen: a URDF and its markers, or a camera file -> constexpr tables.
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/modelgen/check_model.hpp"
 #include "tools/modelgen/compile_model.hpp"
 #include "tools/modelgen/emit_camera.hpp"
+#include "tools/modelgen/parse_number.hpp"
 #include "tools/modelgen/read_camera.hpp"
 #include "tools/modelgen/source_file.hpp"
+#include "tools/report/report.hpp"
 
 namespace {
 
 using namespace articam::modelgen;
+using articam::report::Conditions;
 
 constexpr int kDone = 0, kRefused = 1, kWrongUsage = 2;
 
 struct Arguments {
-  std::string urdf, markers, camera, name, output, root, report;
+  std::string urdf, markers, camera, name, output, root;
   std::vector<std::string> freeze, points;
+  std::string report, report_camera, report_range = "0.5:1.5";
+  double report_noise_px = 0.1;
 };
 
 void declare(CLI::App& app, Arguments& arguments) {
@@ -30,7 +37,10 @@ void declare(CLI::App& app, Arguments& arguments) {
       "  articam-modelgen --urdf door.urdf --markers door.markers.yaml --name KitchenDoor -o kitchen_door.hpp\n"
       "writes struct articam::models::KitchenDoor;\n"
       "  articam-modelgen --camera front.yaml --name Front -o front.hpp\n"
-      "writes articam::cameras::kFront. Whatever is wrong with the input is told as\n"
+      "writes articam::cameras::kFront;\n"
+      "  articam-modelgen --urdf door.urdf --markers door.markers.yaml --report door.txt\n"
+      "tells before the glue dries what the marks will and will not observe, and how well.\n"
+      "Whatever is wrong with the input is told as\n"
       "  file:line: element: reason\n"
       "all of it in one run; then nothing is written.\n"
       "Exit codes: 0 done, 1 input refused, 2 wrong usage.");
@@ -40,8 +50,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--camera", arguments.camera, "Instead of an object: a camera's ROS calibration (YAML)")
       ->type_name("FILE")
       ->excludes(urdf);
-  app.add_option("--name", arguments.name, "Name of the C++ type, CamelCase")->required()->type_name("NAME");
-  app.add_option("-o,--output", arguments.output, "Header to write")->required()->type_name("FILE");
+  app.add_option("--name", arguments.name, "Name of the C++ type, CamelCase")->type_name("NAME");
+  app.add_option("-o,--output", arguments.output, "Header to write")->type_name("FILE");
   app.add_option("--root", arguments.root, "Link that becomes the object's frame")->type_name("LINK")->needs(urdf);
   app.add_option("--freeze", arguments.freeze, "Hold a joint at a value (rad, m); repeatable")
       ->type_name("JOINT=VALUE")
@@ -51,16 +61,31 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->type_name("NAME=LINK:x,y,z")
       ->needs(urdf)
       ->allow_extra_args(false);
-  app.add_option("--report", arguments.report, "Not supported yet")->type_name("FILE");
+  CLI::Option* const report = app.add_option("--report", arguments.report,
+                                             "What the marks will tell, as text, or as JSON if FILE ends in .json")
+                                  ->type_name("FILE")
+                                  ->needs(urdf);
+  app.add_option("--report-camera", arguments.report_camera, "Its camera (default 640x480, focal length 525 px)")
+      ->type_name("FILE")
+      ->needs(report);
+  app.add_option("--report-range", arguments.report_range, "How far off the marks are, m")
+      ->type_name("MIN:MAX")
+      ->capture_default_str()
+      ->needs(report);
+  app.add_option("--report-noise", arguments.report_noise_px, "Deviation of a mark's centre, px")
+      ->type_name("PX")
+      ->capture_default_str()
+      ->needs(report)
+      ->check(CLI::Range(1e-4, 100.0));
 }
 
 /// Empty, or what is wrong with the usage.
 std::string parse_options(const Arguments& arguments, ModelOptions& options) {
   if (arguments.urdf.empty() && arguments.camera.empty()) return "--urdf is required, or --camera";
-  if (!is_type_name(arguments.name)) {
+  if (arguments.output.empty() && arguments.report.empty()) return "--output is required, or --report";
+  if (!arguments.output.empty() && !is_type_name(arguments.name)) {
     return "--name: '" + arguments.name + "' is no CamelCase name of letters and digits";
   }
-  if (!arguments.report.empty()) return "--report: not supported yet";
   options.root = arguments.root;
   for (const std::string& text : arguments.freeze) {
     const auto freeze = parse_freeze(text);
@@ -73,36 +98,85 @@ std::string parse_options(const Arguments& arguments, ModelOptions& options) {
     options.points.push_back(*point);
   }
   std::error_code ignored;  // a file that does not exist is nobody's input
-  for (const std::string& input : {arguments.urdf, arguments.markers, arguments.camera}) {
+  for (const std::string& input : {arguments.urdf, arguments.markers, arguments.camera, arguments.report_camera}) {
     if (std::filesystem::equivalent(input, arguments.output, ignored)) return "--output: is one of the inputs";
+    if (std::filesystem::equivalent(input, arguments.report, ignored)) return "--report: is one of the inputs";
   }
   return "";
 }
 
-/// The header, or nothing when the diagnostics hold an error.
-std::optional<std::string> compile(const Arguments& arguments, const ModelOptions& options, Diagnostics& diagnostics) {
-  if (!arguments.camera.empty()) {
-    const auto source = read_source(arguments.camera, diagnostics);
-    const auto camera = source ? read_camera(*source, diagnostics) : std::nullopt;
-    return camera ? std::optional{emit_camera(*camera, *source, arguments.name)} : std::nullopt;
+/// What is to be written: each text empty where it was not asked for.
+struct Outcome {
+  std::string header, report;
+};
+
+/// The report's camera and range, or nothing when the diagnostics hold an error.
+std::optional<Conditions> conditions_of(const Arguments& arguments, Diagnostics& diagnostics) {
+  Conditions conditions;
+  conditions.camera = articam::report::default_camera();
+  conditions.noise_px = arguments.report_noise_px;
+  const auto colon = arguments.report_range.find(':');
+  const auto least = parse_number(std::string_view(arguments.report_range).substr(0, colon));
+  const auto most = colon == std::string::npos ? least : parse_number(arguments.report_range.substr(colon + 1));
+  if (!least || !most || !(*least > 0.01 && *least <= *most && *most < 100)) {
+    diagnostics.error("--report-range", 0, arguments.report_range, "is not MIN:MAX in m, between 0.01 and 100");
+    return std::nullopt;
   }
+  conditions.min_range_m = *least;
+  conditions.max_range_m = *most;
+  if (!arguments.report_camera.empty()) {
+    const auto camera = read_camera(arguments.report_camera, diagnostics);
+    if (!camera) return std::nullopt;
+    conditions.camera = *camera;
+  }
+  return conditions;
+}
+
+void say(const char* what) {
+  if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "report: %s ...\n", what);
+}
+
+std::optional<Outcome> compile_camera(const Arguments& arguments, Diagnostics& diagnostics) {
+  const auto source = read_source(arguments.camera, diagnostics);
+  const auto camera = source ? read_camera(*source, diagnostics) : std::nullopt;
+  if (!camera) return std::nullopt;
+  return Outcome{emit_camera(*camera, *source, arguments.name), ""};
+}
+
+/// Nothing when the diagnostics hold an error.
+std::optional<Outcome> compile(const Arguments& arguments, const ModelOptions& options, Diagnostics& diagnostics) {
+  if (!arguments.camera.empty()) return compile_camera(arguments, diagnostics);
   const auto urdf = read_source(arguments.urdf, diagnostics);
   std::optional<SourceFile> markers;
   if (!arguments.markers.empty()) markers = read_source(arguments.markers, diagnostics);
+  const auto conditions = conditions_of(arguments, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const auto model = compile_model({*urdf, markers, arguments.name, options}, diagnostics);
-  return model ? std::optional{model->header} : std::nullopt;
+  if (!model) return std::nullopt;
+  Outcome outcome;
+  if (!arguments.output.empty()) outcome.header = model->header;
+  if (!arguments.report.empty()) {
+    const articam::report::Report report = articam::report::make_report(*model, *conditions, say);
+    outcome.report = arguments.report.ends_with(".json") ? to_json(report) : to_text(report);
+  }
+  return outcome;
+}
+
+/// Whether the file was written, or not asked for.
+bool write(const std::string& path, const std::string& text) {
+  if (path.empty()) return true;
+  const std::string reason = write_whole_file(path, text);
+  if (!reason.empty()) std::fprintf(stderr, "%s: output: %s\n", path.c_str(), reason.c_str());
+  return reason.empty();
 }
 
 int run(const Arguments& arguments, const ModelOptions& options) {
   Diagnostics diagnostics;
-  const auto header = compile(arguments, options, diagnostics);
+  const auto outcome = compile(arguments, options, diagnostics);
   std::fputs(diagnostics.text().c_str(), stderr);
-  if (!header) return kRefused;
-  const std::string reason = write_whole_file(arguments.output, *header);
-  if (reason.empty()) return kDone;
-  std::fprintf(stderr, "%s: output: %s\n", arguments.output.c_str(), reason.c_str());
-  return kRefused;
+  if (!outcome) return kRefused;
+  const bool written = write(arguments.output, outcome->header) && write(arguments.report, outcome->report);
+  return written ? kDone : kRefused;
 }
 
 }  // namespace

@@ -95,9 +95,9 @@ class Walk {
       row.ratio = joint.ratio;
       row.offset = joint.offset;
     }
+    if (!downwards) row.T_body_link = T_parent_child.inverse();
     joints.push_back(row);
-    const int body = static_cast<int>(joints.size()) - 1;
-    visit(to_link, {body, downwards ? Pose<double>{} : T_parent_child.inverse()});
+    visit(to_link, {static_cast<int>(joints.size()) - 1, row.T_body_link});
   }
 
   const UrdfModel& model_;

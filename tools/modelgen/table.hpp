@@ -13,6 +13,7 @@ namespace articam::modelgen {
 struct TableJoint {
   std::string name;
   std::string child_link;
+  Pose<double> T_body_link;  ///< of child_link; identity unless the joint was turned round by --root
   model::JointKind kind{};
   int parent{};         ///< row of the parent body's joint, -1 for the root
   Vec<double, 3> axis;  ///< unit vector in {joint}

@@ -1,0 +1,121 @@
+#include "tools/report/information.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace articam::report {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMinDepth_m = 0.01;
+constexpr double kNoEigenvalue = 1e-10;  ///< of a matrix with ones on its diagonal: roundings stay below
+constexpr double kPartOf = 1e-6;         ///< squared component in a direction that nothing is known of
+
+/// The centre's velocity per step: t, rotation about the axes of {cam}, joints.
+Eigen::Matrix<double, 3, Eigen::Dynamic> velocity_in_camera(const Marks& marks, std::size_t m, const View& view) {
+  Eigen::Matrix<double, 3, Eigen::Dynamic> v(3, 6 + view.joints.size());
+  const Vec3 arm = view.T_cam_obj.R * marks.centre[m];
+  v.leftCols<3>().setIdentity();
+  for (int i = 0; i < 3; ++i) v.col(3 + i) = Vec3::Unit(i).cross(arm);
+  v.rightCols(view.joints.size()) = view.T_cam_obj.R.toRotationMatrix() * marks.velocity[m];
+  return v;
+}
+
+bool inside(const Vec3& p, double radius_px, const CameraParameters& camera) {
+  const double u = camera.fx_px * p.x() / p.z() + camera.cx_px, v = camera.fy_px * p.y() / p.z() + camera.cy_px;
+  return u > radius_px && u < camera.width_px - 1 - radius_px && v > radius_px && v < camera.height_px - 1 - radius_px;
+}
+
+/// Steps of comparable size for the singular values: 1 cm, 1 deg.
+VectorX natural_steps(const modelgen::Table& table) {
+  const auto values = table.values();
+  VectorX steps(6 + static_cast<Eigen::Index>(values.size()));
+  for (Eigen::Index i = 0; i < steps.size(); ++i) {
+    const bool metres =
+        i < 3 || (i >= 6 && values[static_cast<std::size_t>(i - 6)]->kind == model::JointKind::prismatic);
+    steps[i] = metres ? 0.01 : kDegree;
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<Sight> look(const modelgen::Table& table, const View& view, const CameraParameters& camera) {
+  const Marks marks = place_marks(table, view.joints);
+  std::vector<Sight> sights(table.markers.size());
+  for (std::size_t m = 0; m < sights.size(); ++m) {
+    const Vec3 p = view.T_cam_obj * marks.centre[m];
+    Sight& sight = sights[m];
+    sight.A.setZero(2, 6 + view.joints.size());
+    sight.across_px.setZero(6 + view.joints.size());
+    if (!(p.z() > kMinDepth_m)) continue;
+    Eigen::Matrix<double, 2, 3> L;
+    L << camera.fx_px / p.z(), 0, -camera.fx_px * p.x() / (p.z() * p.z()), 0, camera.fy_px / p.z(),
+        -camera.fy_px * p.y() / (p.z() * p.z());
+    const auto velocity = velocity_in_camera(marks, m, view);
+    sight.A = L * velocity;
+    sight.across_px = camera.fx_px / p.z() * velocity.colwise().norm().transpose();
+    sight.diameter_px = camera.fx_px * table.markers[m].outer_diameter_m / p.z();
+    const double facing = -(view.T_cam_obj.R * marks.normal[m]).dot(p.normalized());
+    sight.seen = sight.diameter_px >= kMinDiameter_px && facing > std::cos(kMaxTilt_deg * kDegree) &&
+                 inside(p, 0.5 * sight.diameter_px, camera);
+  }
+  return sights;
+}
+
+MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& use) {
+  const Eigen::Index n = sights.empty() ? 6 : sights.front().A.cols();
+  MatrixX sum = MatrixX::Zero(n, n);
+  for (std::size_t m = 0; m < sights.size(); ++m) {
+    if (use[m] && sights[m].seen) sum += sights[m].A.transpose() * sights[m].A;
+  }
+  return sum;
+}
+
+double least_singular_px(const std::vector<Sight>& sights, const modelgen::Table& table) {
+  const VectorX steps = natural_steps(table);
+  const MatrixX all = information(sights, std::vector<bool>(sights.size(), true));
+  const MatrixX stepped = steps.asDiagonal() * all * steps.asDiagonal();
+  const double least = Eigen::SelfAdjointEigenSolver<MatrixX>(stepped, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return std::sqrt(std::max(0.0, least));
+}
+
+Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, double noise_px) {
+  const MatrixX I = information(sights, use);
+  const Eigen::Index n = I.rows();
+  VectorX across = VectorX::Zero(n);
+  for (std::size_t m = 0; m < sights.size(); ++m) {
+    if (use[m] && sights[m].seen) across += sights[m].across_px.cwiseAbs2();
+  }
+  const VectorX scale = I.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(scale.asDiagonal() * I * scale.asDiagonal());
+  const VectorX& lambda = eigen.eigenvalues();
+  const MatrixX& U = eigen.eigenvectors();
+  const VectorX unknown = U.cwiseAbs2() * (lambda.array() < kNoEigenvalue).cast<double>().matrix();
+  const VectorX inverse = lambda.unaryExpr([](double x) { return x < kNoEigenvalue ? 0.0 : 1 / x; });
+
+  Bound result;
+  result.covariance =
+      noise_px * noise_px * (scale.asDiagonal() * U * inverse.asDiagonal() * U.transpose() * scale.asDiagonal());
+  result.deviation = result.dilution = VectorX::Constant(n, std::numeric_limits<double>::infinity());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool observed = scale[i] > 0 && unknown[i] < kPartOf;
+    result.observed.push_back(observed);
+    if (!observed) {
+      result.covariance.row(i).setZero();
+      result.covariance.col(i).setZero();
+      continue;
+    }
+    result.deviation[i] = std::sqrt(result.covariance(i, i));
+    result.dilution[i] = result.deviation[i] * std::sqrt(across[i]) / noise_px;
+  }
+  return result;
+}
+
+Bound bound(const std::vector<Sight>& sights, double noise_px) {
+  return bound(sights, std::vector<bool>(sights.size(), true), noise_px);
+}
+
+}  // namespace articam::report

@@ -1,0 +1,49 @@
+#pragma once
+/// @file  What one view tells of every degree of freedom: the Cramer-Rao bound of the marks' centres.
+
+#include <vector>
+
+#include "tools/report/view.hpp"
+
+namespace articam::report {
+
+/// A mark in one view.
+struct Sight {
+  bool seen{};           ///< in the image, facing the camera within 75 deg, and at least kMinDiameter_px across
+  double diameter_px{};  ///< of its outer circle, seen face to face at its depth
+  Eigen::Matrix<double, 2, Eigen::Dynamic> A;  ///< px per (m, rad in {cam}, joint values), order of the step in core
+  VectorX across_px;  ///< how far the centre would move by the same steps if it went across the line of sight
+};
+
+/// Below it the detectors of rings and dots do not answer reliably.
+inline constexpr double kMinDiameter_px = 12;
+inline constexpr double kMaxTilt_deg = 75;
+
+/// Points without a mark are never seen.
+std::vector<Sight> look(const modelgen::Table& table, const View& view, const CameraParameters& camera);
+
+/// Of one view; entries in the order t (3, m), rotation in {cam} (3, rad), joint values (rad or m).
+struct Bound {
+  std::vector<bool> observed;
+  VectorX deviation;  ///< no estimator without bias does better; infinite where not observed
+  /// Deviation over that of the same marks moving as far across the line of sight, all else known: 1 is ideal; a drawer
+  /// seen along its axis has a large one.
+  VectorX dilution;
+  MatrixX covariance;  ///< zero rows where not observed
+};
+
+/// sum A'A over the marks that are seen and used, px^2.
+MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& use);
+
+/// Least singular value of the stacked A in px per step of 1 cm, 1 deg: how far the marks move, all together, in the
+/// direction that is worst seen.
+double least_singular_px(const std::vector<Sight>& sights, const modelgen::Table& table);
+
+/// `use[m]`: whether mark m counts. The information's Jacobi-scaled eigenvalues below 1e-10 are
+/// taken as none, and what has a part in their eigenvectors as not observed.
+Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, double noise_px);
+
+/// The same with every mark that is seen.
+Bound bound(const std::vector<Sight>& sights, double noise_px);
+
+}  // namespace articam::report

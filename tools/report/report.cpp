@@ -1,0 +1,64 @@
+#include "tools/report/report.hpp"
+
+#include <algorithm>
+
+namespace articam::report {
+namespace {
+
+View start_view(const modelgen::Table& table) {
+  const auto& q0 = table.q0;
+  View view;
+  view.T_cam_obj = {Quat<double>(q0[3], q0[4], q0[5], q0[6]).normalized(), Vec3(q0[0], q0[1], q0[2])};
+  view.joints = Eigen::Map<const VectorX>(q0.data() + 7, static_cast<Eigen::Index>(q0.size()) - 7);
+  return view;
+}
+
+void count(const modelgen::UrdfModel& model, Report& report) {
+  report.num_links = model.links.size();
+  report.num_joints = model.joints.size();
+  for (const auto& joint : model.joints) {
+    const auto named = [&](const modelgen::TableJoint& row) { return row.name == joint.name; };
+    const bool in_table = std::any_of(report.table.joints.begin(), report.table.joints.end(), named);
+    if (!joint.moves()) {
+      ++report.num_fixed;
+    } else if (joint.mimics) {
+      ++report.num_mimics;
+    } else if (!joint.held && !in_table) {
+      ++report.num_left_out;
+    }
+  }
+}
+
+std::vector<Size> sizes(const modelgen::Table& table, const Conditions& conditions) {
+  std::vector<Size> all;
+  for (const auto& marker : table.markers) {
+    if (marker.kind == model::MarkerKind::point) continue;
+    const double px_m = conditions.camera.fx_px * marker.outer_diameter_m;
+    all.push_back({marker.name, px_m / conditions.min_range_m, px_m / conditions.max_range_m, px_m / kMinDiameter_px});
+  }
+  return all;
+}
+
+}  // namespace
+
+Report make_report(const modelgen::CompiledModel& model, const Conditions& conditions, void (*says)(const char*)) {
+  Report report;
+  report.table = model.table;
+  report.conditions = conditions;
+  count(model.model, report);
+  report.sizes = sizes(model.table, conditions);
+  if (report.sizes.empty()) return report;  // nothing will be seen
+  says("what is observed, over the views");
+  report.views = sample_views(model.table, conditions);
+  report.over_views = observe(model.table, report.views, conditions);
+  if (!model.table.q0.empty()) {
+    report.at_start = bound(look(model.table, start_view(model.table), conditions.camera), conditions.noise_px);
+  }
+  says("layouts that look alike");
+  report.symmetries = find_symmetries(model.table);
+  says("places for one more mark");
+  report.advice = advise(model.table, report.views, conditions, 3);
+  return report;
+}
+
+}  // namespace articam::report

@@ -1,0 +1,196 @@
+#include "tools/report/symmetry.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "core/math/so3.hpp"
+
+namespace articam::report {
+namespace {
+
+using modelgen::Table;
+using Permutation = std::vector<std::size_t>;
+
+constexpr int kMaxIterations = 12;
+constexpr std::size_t kMaxSymmetries = 8;
+const double kMinCosine = std::cos(30 * std::numbers::pi / 180);
+
+/// Joint values at a share of their limits; `spread` makes the shares of several joints differ.
+VectorX joints_at(const Table& table, double share, double spread) {
+  const auto values = table.values();
+  VectorX joints(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const double low = low_limit(*values[j]), high = high_limit(*values[j]);
+    const double s = share + spread * std::fmod(static_cast<double>(j) * 0.618, 1.0);
+    joints[static_cast<Eigen::Index>(j)] = low + s * (high - low);
+  }
+  return joints;
+}
+
+/// {1} as seen from {2}: brings the first mark onto the other, its normal and the direction to a second mark with it.
+std::optional<Pose<double>> align(const Marks& from, std::size_t i, std::size_t j, const Marks& to, std::size_t a,
+                                  std::size_t b) {
+  const auto frame = [](const Marks& marks, std::size_t first, std::size_t second) {
+    const Vec3 z = marks.normal[first];
+    const Vec3 way = marks.centre[second] - marks.centre[first];
+    const Vec3 x = (way - way.dot(z) * z).normalized();
+    Eigen::Matrix3d R;
+    R << x, z.cross(x), z;
+    return R;
+  };
+  const Eigen::Matrix3d R = frame(to, a, b) * frame(from, i, j).transpose();
+  if (!R.allFinite()) return std::nullopt;  // the second mark lies on the first one's normal
+  const Quat<double> q(R);
+  return Pose<double>{q, to.centre[a] - q * from.centre[i]};
+}
+
+class Search {
+ public:
+  Search(const Table& table, const VectorX& joints)
+      : table_{table}, first_{place_marks(table, joints)}, joints_{joints} {
+    for (std::size_t m = 0; m < table.markers.size(); ++m) {
+      if (table.markers[m].kind != model::MarkerKind::point) marks_.push_back(m);
+    }
+    for (const std::size_t m : marks_) {
+      for (const std::size_t k : marks_) extent_m_ = std::max(extent_m_, (first_.centre[m] - first_.centre[k]).norm());
+    }
+  }
+
+  std::vector<Symmetry> run() {
+    if (marks_.size() < 2) return {};
+    const auto [i, j] = widest_pair();
+    for (const VectorX& guess : {joints_, joints_at(table_, 0, 0), joints_at(table_, 0.5, 0), joints_at(table_, 1, 0),
+                                 joints_at(table_, 0.9, -0.8)}) {
+      const Marks second = place_marks(table_, guess);
+      for (const std::size_t a : marks_) {
+        for (const std::size_t b : marks_) {
+          if (a == b || !alike(i, a) || !alike(j, b)) continue;
+          const auto T = align(first_, i, j, second, a, b);
+          if (T) refine(*T, guess);
+          if (found_.size() == kMaxSymmetries) return found_;
+        }
+      }
+    }
+    return found_;
+  }
+
+ private:
+  bool alike(std::size_t m, std::size_t k) const {
+    const auto &a = table_.markers[m], &b = table_.markers[k];
+    return a.kind == b.kind && a.outer_diameter_m == b.outer_diameter_m && a.inner_diameter_m == b.inner_diameter_m;
+  }
+
+  /// Of one body if it has two marks: their distance is then the same in every configuration.
+  std::pair<std::size_t, std::size_t> widest_pair() const {
+    std::pair<std::size_t, std::size_t> widest{marks_[0], marks_[1]};
+    double most = -1;
+    for (const std::size_t m : marks_) {
+      for (const std::size_t k : marks_) {
+        const bool same_body = table_.markers[m].body == table_.markers[k].body;
+        const double distance = (first_.centre[m] - first_.centre[k]).norm() + (same_body ? extent_m_ : 0);
+        if (m != k && distance > most) most = distance, widest = {m, k};
+      }
+    }
+    return widest;
+  }
+
+  /// Every mark to the nearest free one that is alike and faces the same way; nothing where one finds none.
+  std::optional<Permutation> assign(const Pose<double>& T, const Marks& second) const {
+    Permutation to(table_.markers.size());
+    std::iota(to.begin(), to.end(), 0);
+    std::vector<bool> taken(table_.markers.size());
+    for (const std::size_t m : marks_) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const std::size_t k : marks_) {
+        const double distance = (T * first_.centre[m] - second.centre[k]).norm();
+        const bool faces = (T.R * first_.normal[m]).dot(second.normal[k]) > kMinCosine;
+        if (taken[k] || !alike(m, k) || !faces || distance >= nearest) continue;
+        nearest = distance;
+        to[m] = k;
+      }
+      if (!std::isfinite(nearest)) return std::nullopt;
+      taken[to[m]] = true;
+    }
+    return to;
+  }
+
+  double largest_distance(const Pose<double>& T, const Marks& second, const Permutation& to) const {
+    double most = 0;
+    for (const std::size_t m : marks_) {
+      most = std::max(most, (T * first_.centre[m] - second.centre[to[m]]).norm());
+    }
+    return most;
+  }
+
+  /// One Gauss-Newton step of the rigid motion and the second joint values.
+  void step(const Permutation& to, const Marks& second, Pose<double>& T, VectorX& joints) const {
+    const Eigen::Index n = 6 + joints.size();
+    MatrixX H = 1e-9 * MatrixX::Identity(n, n);
+    VectorX g = VectorX::Zero(n);
+    for (const std::size_t m : marks_) {
+      const Vec3 arm = T.R * first_.centre[m];
+      const Vec3 e = arm + T.t - second.centre[to[m]];
+      Eigen::Matrix<double, 3, Eigen::Dynamic> J(3, n);
+      J.leftCols<3>().setIdentity();
+      J.middleCols<3>(3) = -math::hat<double>(arm);
+      J.rightCols(joints.size()) = -second.velocity[to[m]];
+      H += J.transpose() * J;
+      g += J.transpose() * e;
+    }
+    const VectorX d = H.ldlt().solve(-g);
+    T.t += d.head<3>();
+    T.R = (math::exp_so3<double>(Vec3(d.segment<3>(3))) * T.R).normalized();
+    joints = (joints + d.tail(joints.size())).cwiseMax(joints_at(table_, 0, 0)).cwiseMin(joints_at(table_, 1, 0));
+  }
+
+  void refine(Pose<double> T, VectorX joints) {
+    Marks second = place_marks(table_, joints);
+    auto to = assign(T, second);
+    for (int i = 0; i < kMaxIterations && to; ++i) {
+      step(*to, second, T, joints);
+      second = place_marks(table_, joints);
+      to = assign(T, second);
+    }
+    if (!to) return;
+    const double residual_m = largest_distance(T, second, *to);
+    if (residual_m > kCoincidence * extent_m_ || is_identity(*to) || is_known(*to)) return;
+    const double turn_rad = 2 * std::acos(std::min(1.0, std::abs(T.R.w())));
+    found_.push_back({*to, joints_, joints, turn_rad * 180 / std::numbers::pi, residual_m});
+  }
+
+  static bool is_identity(const Permutation& to) {
+    for (std::size_t m = 0; m < to.size(); ++m) {
+      if (to[m] != m) return false;
+    }
+    return true;
+  }
+  bool is_known(const Permutation& to) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const Symmetry& s) { return s.takes_place_of == to; });
+  }
+
+  const Table& table_;
+  Marks first_;
+  VectorX joints_;
+  std::vector<std::size_t> marks_;
+  double extent_m_{};
+  std::vector<Symmetry> found_;
+};
+
+}  // namespace
+
+std::vector<Symmetry> find_symmetries(const Table& table) {
+  std::vector<Symmetry> all = Search(table, joints_at(table, 0.3, 0.4)).run();
+  if (table.values().empty()) return all;
+  for (const Symmetry& closed : Search(table, joints_at(table, 0, 0)).run()) {
+    const auto same = [&](const Symmetry& s) { return s.takes_place_of == closed.takes_place_of; };
+    if (std::none_of(all.begin(), all.end(), same)) all.push_back(closed);
+  }
+  return all;
+}
+
+}  // namespace articam::report

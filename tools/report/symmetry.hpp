@@ -1,0 +1,27 @@
+#pragma once
+/// @file  Layouts that look the same with their marks exchanged: what identities would have to tell.
+
+#include <vector>
+
+#include "tools/report/view.hpp"
+
+namespace articam::report {
+
+/// A second configuration that puts marks of the same kind and size where the first has them.
+struct Symmetry {
+  std::vector<std::size_t>
+      takes_place_of;  ///< mark m of the first configuration lies on mark takes_place_of[m] of the second
+  VectorX joints, other_joints;
+  double turn_deg{};    ///< of the base between the two
+  double residual_m{};  ///< largest distance of two marks that should coincide
+};
+
+/// Searches, at joints amid their limits and at their lower ones, for a rigid motion with other joint values, within
+/// their limits, under which the marks coincide within kCoincidence of the layout's extent, normals within 30 deg. From
+/// every pair of marks onto every other pair and a few joint values, by alternating assignment and Gauss-Newton steps:
+/// what it finds is true; that it finds everything is likely, not sure.
+std::vector<Symmetry> find_symmetries(const modelgen::Table& table);
+
+inline constexpr double kCoincidence = 0.01;
+
+}  // namespace articam::report

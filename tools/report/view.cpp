@@ -1,0 +1,122 @@
+#include "tools/report/view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace articam::report {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+bool is_mark(const modelgen::TableMarker& marker) { return marker.kind != model::MarkerKind::point; }
+
+Vec3 any_perpendicular(const Vec3& n) {
+  const Vec3 axis = std::abs(n.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  return (axis - axis.dot(n) * n).normalized();
+}
+
+struct Front {
+  Vec3 middle{Vec3::Zero()};    ///< of the marks, {obj}
+  Vec3 normal{-Vec3::UnitZ()};  ///< mean of theirs
+};
+
+Front front_of(const modelgen::Table& table, const VectorX& joints) {
+  const Marks marks = place_marks(table, joints);
+  Front front;
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (std::size_t m = 0; m < table.markers.size(); ++m) {
+    if (!is_mark(table.markers[m])) continue;
+    front.middle += marks.centre[m];
+    sum += marks.normal[m];
+    ++count;
+  }
+  if (count > 0) front.middle /= count;
+  if (sum.norm() > 0.1) front.normal = sum.normalized();  // below, the marks face every way
+  return front;
+}
+
+/// The pose of {obj} for a camera at `eye` that looks at `target`, its y down along the object's y where it can.
+Pose<double> look_at(const Vec3& eye, const Vec3& target) {
+  const Vec3 z = (target - eye).normalized();
+  const Vec3 down = Vec3::UnitY() - z.y() * z;
+  const Vec3 y = down.norm() > 0.1 ? Vec3(down.normalized()) : any_perpendicular(z);
+  Eigen::Matrix3d R_cam_obj;
+  R_cam_obj << y.cross(z).transpose(), y.transpose(), z.transpose();
+  return {Quat<double>(R_cam_obj), -(R_cam_obj * eye)};
+}
+
+/// 10, 50 and 90 % of all joints, then each joint at 90 % while the others are at 10 %.
+std::vector<VectorX> sample_joints(const modelgen::Table& table) {
+  const auto values = table.values();
+  const auto n = static_cast<Eigen::Index>(values.size());
+  VectorX low(n), span(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const modelgen::TableJoint& joint = *values[static_cast<std::size_t>(j)];
+    low[j] = low_limit(joint);
+    span[j] = high_limit(joint) - low[j];
+  }
+  if (n == 0) return {low};
+  std::vector<VectorX> samples;
+  for (const double share : {0.1, 0.5, 0.9}) samples.emplace_back(low + share * span);
+  for (Eigen::Index j = 0; n > 1 && j < std::min<Eigen::Index>(n, 8); ++j) {
+    VectorX one = low + 0.1 * span;
+    one[j] = low[j] + 0.9 * span[j];
+    samples.push_back(one);
+  }
+  return samples;
+}
+
+}  // namespace
+
+CameraParameters default_camera() {
+  CameraParameters camera;
+  camera.width_px = 640, camera.height_px = 480;
+  camera.fx_px = camera.fy_px = 525;
+  camera.cx_px = 319.5, camera.cy_px = 239.5;
+  return camera;
+}
+
+double low_limit(const modelgen::TableJoint& joint) {
+  if (joint.q_min > -model::kUnlimited) return joint.q_min;
+  return joint.kind == model::JointKind::prismatic ? -0.5 : -std::numbers::pi;
+}
+double high_limit(const modelgen::TableJoint& joint) {
+  if (joint.q_max < model::kUnlimited) return joint.q_max;
+  return joint.kind == model::JointKind::prismatic ? 0.5 : std::numbers::pi;
+}
+
+std::vector<View> sample_views(const modelgen::Table& table, const Conditions& conditions) {
+  const std::vector<double> ranges{conditions.min_range_m, std::sqrt(conditions.min_range_m * conditions.max_range_m),
+                                   conditions.max_range_m};
+  std::vector<View> views;
+  for (const VectorX& joints : sample_joints(table)) {
+    const Front front = front_of(table, joints);
+    const Vec3 right = any_perpendicular(front.normal), up = front.normal.cross(right);
+    for (const double range : ranges) {
+      for (double tilt = 0; tilt <= conditions.max_tilt_deg; tilt += 20) {
+        for (double azimuth = 0; azimuth < (tilt == 0 ? 1 : 360); azimuth += 45) {
+          const Vec3 side = std::cos(azimuth * kDegree) * right + std::sin(azimuth * kDegree) * up;
+          const Vec3 from = std::cos(tilt * kDegree) * front.normal + std::sin(tilt * kDegree) * side;
+          views.push_back({look_at(front.middle + range * from, front.middle), joints, range, tilt, azimuth});
+        }
+      }
+    }
+  }
+  return views;
+}
+
+std::string describe(const View& view, const modelgen::Table& table) {
+  std::string text = fmt::format("range {:.2f} m, tilt {:.0f} deg", view.range_m, view.tilt_deg);
+  if (view.tilt_deg > 0) text += fmt::format(" at azimuth {:.0f} deg", view.azimuth_deg);
+  const auto values = table.values();
+  for (std::size_t j = 0; j < std::min<std::size_t>(values.size(), 8); ++j) {
+    text += fmt::format(", {} {:.3g}", values[j]->name, view.joints[static_cast<Eigen::Index>(j)]);
+  }
+  return text;
+}
+
+}  // namespace articam::report

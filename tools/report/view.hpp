@@ -1,0 +1,41 @@
+#pragma once
+/// @file  From where an object is looked at: the stated range of views, sampled.
+
+#include <string>
+#include <vector>
+
+#include "core/camera_parameters.hpp"
+#include "tools/report/marks.hpp"
+
+namespace articam::report {
+
+/// What the report assumes of the camera and of where it stands.
+struct Conditions {
+  CameraParameters camera;  ///< its distortion is left out: a pinhole bounds as well
+  double min_range_m{0.5}, max_range_m{1.5};
+  double max_tilt_deg{60};  ///< between the view and the front, which is the mean of the marks' normals
+  double noise_px{0.1};     ///< standard deviation of a mark's centre, each coordinate
+};
+
+/// 640x480, focal length 525 px.
+CameraParameters default_camera();
+
+struct View {
+  Pose<double> T_cam_obj;
+  VectorX joints;
+  double range_m{}, tilt_deg{}, azimuth_deg{};  ///< of the camera about the marks' middle, from the front
+};
+
+/// Three ranges, tilts in steps of 20 deg with eight azimuths each, and joints at 10, 50 and 90 % of their limits,
+/// alike and, where there are several, each against the others. The camera looks at the middle of the marks. A joint
+/// without limits is taken as half a turn or half a metre either way. Always the same, in the same order.
+std::vector<View> sample_views(const modelgen::Table& table, const Conditions& conditions);
+
+/// Limits as the sampling takes them.
+double low_limit(const modelgen::TableJoint& joint);
+double high_limit(const modelgen::TableJoint& joint);
+
+/// For people: `range 0.70 m, tilt 20 deg towards +x, drawer_slide 0.035`.
+std::string describe(const View& view, const modelgen::Table& table);
+
+}  // namespace articam::report
