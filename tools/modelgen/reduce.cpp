@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,13 +57,18 @@ struct Place {
 /// Walks the tree from the chosen root, over joints in both directions.
 class Walk {
  public:
-  explicit Walk(const UrdfModel& model) : model_{model}, crossed_(model.joints.size()) {}
+  explicit Walk(const UrdfModel& model) : model_{model}, crossed_(model.joints.size()) {
+    for (std::size_t i = 0; i < model.joints.size(); ++i) {
+      joints_at_[model.joints[i].parent].push_back(i);
+      joints_at_[model.joints[i].child].push_back(i);
+    }
+  }
 
   void visit(const std::string& link, const Place& place) {
     places[link] = place;
-    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+    for (const std::size_t i : joints_at_[link]) {
       const UrdfJoint& joint = model_.joints[i];
-      if (crossed_[i] || (joint.parent != link && joint.child != link)) continue;
+      if (crossed_[i]) continue;
       crossed_[i] = true;
       cross(joint, joint.parent == link, place);
     }
@@ -101,6 +107,7 @@ class Walk {
   }
 
   const UrdfModel& model_;
+  std::map<std::string, std::vector<std::size_t>> joints_at_;  ///< in the order of the URDF
   std::vector<bool> crossed_;
 };
 
@@ -114,10 +121,10 @@ void link_leaders(const UrdfModel& model, std::vector<TableJoint>& joints) {
 }
 
 std::string find_root(const UrdfModel& model) {
-  const auto hangs = [&](const UrdfLink& link) {
-    return std::any_of(model.joints.begin(), model.joints.end(), [&](auto& joint) { return joint.child == link.name; });
-  };
-  return std::find_if_not(model.links.begin(), model.links.end(), hangs)->name;
+  std::set<std::string> children;
+  for (const UrdfJoint& joint : model.joints) children.insert(joint.child);
+  const auto is_child = [&](const UrdfLink& link) { return children.count(link.name) > 0; };
+  return std::find_if_not(model.links.begin(), model.links.end(), is_child)->name;
 }
 
 TableMarker place_marker(const Marker& marker, const Place& place) {

@@ -17,12 +17,11 @@
 namespace articam::modelgen {
 namespace {
 
-/// Length of the well-formed UTF-8 sequence at the front, 0 if there is none (RFC 3629, section 4).
+/// Length of the well-formed UTF-8 sequence of several bytes at the front, 0 if there is none (RFC 3629, section 4).
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
   const unsigned lead = byte(0), second = byte(1);
-  if (lead < 0x80) return 1;
   if (lead >= 0xC2 && lead <= 0xDF) return tail(1) ? 2 : 0;
   if (lead >= 0xE0 && lead <= 0xEF) {
     const bool overlong = lead == 0xE0 && second < 0xA0, surrogate = lead == 0xED && second > 0x9F;
@@ -39,7 +38,7 @@ std::size_t utf8_length(std::string_view text) {
 std::size_t find_non_text(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
     const auto c = static_cast<unsigned char>(bytes[i]);
-    const std::size_t length = utf8_length(bytes.substr(i));
+    const std::size_t length = c < 0x80 ? 1 : utf8_length(bytes.substr(i));  // nearly all of it is ASCII
     if (length == 0 || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) return i;
     i += length;
   }
@@ -73,9 +72,11 @@ std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diag
   if (std::filesystem::is_directory(path, ignored)) return refuse(0, "is a folder, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refuse(0, std::string("cannot be opened: ") + std::strerror(errno));
-  SourceFile source{path, std::string(kMaxSourceBytes + 1, '\0')};
-  stream.read(source.bytes.data(), static_cast<std::streamsize>(source.bytes.size()));
-  source.bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  SourceFile source{path, ""};
+  std::array<char, 1 << 14> part{};
+  while (source.bytes.size() <= kMaxSourceBytes && stream.read(part.data(), part.size()).gcount() > 0) {
+    source.bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) return refuse(0, "cannot be read");
   if (source.bytes.empty()) return refuse(0, "is empty");
   if (source.bytes.size() > kMaxSourceBytes) return refuse(0, "is larger than 1 MiB");

@@ -1,0 +1,100 @@
+#include "tools/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/report/static_table.hpp"
+#include "tests/tools/report/urdf_text.hpp"
+
+namespace articam::report {
+namespace {
+
+void silent(const char*) {}
+
+Conditions conditions() {
+  Conditions c;
+  c.camera = default_camera();
+  return c;
+}
+
+Report printer() {
+  modelgen::CompiledModel model;
+  model.table = test::static_table("printer_drawer");
+  return make_report(model, conditions(), silent);
+}
+
+TEST(Report, SaysWhatEachMarkIsGoodFor) {
+  const Report report = printer();
+  const auto& losses = report.over_views.losses;
+  ASSERT_EQ(losses.size(), 6u);
+  for (std::size_t m = 0; m < 5; ++m) EXPECT_TRUE(losses[m].blinded.empty()) << losses[m].marker;
+  EXPECT_EQ(losses[5].blinded, std::vector<std::string>{"marker_distance"});
+}
+
+TEST(Report, NamesTheViewAlongTheDrawer) {
+  const Report report = printer();
+  const Freedom& drawer = report.over_views.freedoms.at(6);
+  EXPECT_EQ(drawer.name, "drawer_slide");
+  EXPECT_GT(drawer.share_weak, 0);
+  EXPECT_EQ(report.views[drawer.worst_view].tilt_deg, 0);
+  EXPECT_NE(to_text(report).find("drawer_slide is worst at range"), std::string::npos);
+}
+
+TEST(Report, CallsMarksTooSmallForTheRange) {
+  modelgen::CompiledModel model;
+  model.table = test::static_table("printer_drawer");
+  Conditions far = conditions();
+  far.max_range_m = 2.2;  // rings of 5 cm at 525 px are 12 px at 2.19 m
+  const Report report = make_report(model, far, silent);
+  EXPECT_NEAR(report.sizes[0].max_range_m, 2.1875, 1e-12);
+  EXPECT_NE(to_text(report).find("TOO SMALL"), std::string::npos);
+  EXPECT_EQ(to_text(printer()).find("TOO SMALL"), std::string::npos);
+}
+
+TEST(Report, CountsLinksJointsAndWhatBecameOfThem) {
+  const auto model =
+      test::compile(test::dot("a", "base", "0 0 0") + test::slide("used", "base", "drawer", "1 0 0") +
+                        test::dot("b", "drawer", "0.1 0 0") + test::slide("unused", "base", "flap", "1 0 0"),
+                    test::dots({"a", "b"}));
+  const Report report = make_report(model, conditions(), silent);
+  EXPECT_EQ(report.num_links, 5u);
+  EXPECT_EQ(report.num_joints, 4u);
+  EXPECT_EQ(report.num_fixed, 2u);
+  EXPECT_EQ(report.num_left_out, 1u);
+}
+
+TEST(Report, SaysTheSameInJson) {
+  const Report report = printer();
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_EQ(json["model"], "printer_drawer");
+  EXPECT_EQ(json["degrees_of_freedom"].size(), 8u);
+  EXPECT_EQ(json["degrees_of_freedom"][6]["name"], "drawer_slide");
+  EXPECT_EQ(json["degrees_of_freedom"][6]["median_deviation"], report.over_views.freedoms[6].median);
+  EXPECT_EQ(json["marks"][5]["not_observed_without_it"][0], "marker_distance");
+  EXPECT_EQ(json["one_more_mark"].size(), report.advice.size());
+  EXPECT_TRUE(json["look_alikes"].empty());
+}
+
+TEST(Report, OfAModelWithoutMarksSaysSo) {
+  modelgen::CompiledModel model;
+  model.table = test::static_table("printer_drawer");
+  model.table.markers.clear();
+  const Report report = make_report(model, conditions(), silent);
+  EXPECT_NE(to_text(report).find("nothing will be observed"), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::parse(to_json(report))["marks"].empty());
+}
+
+TEST(Report, HoldsForEveryStaticModelWithoutANumberThatIsNone) {
+  for (const char* name : {"mire", "mire_distance", "printer_drawer"}) {
+    modelgen::CompiledModel model;
+    model.table = test::static_table(name);
+    const std::string text = to_text(make_report(model, conditions(), silent));
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf "), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace articam::report
