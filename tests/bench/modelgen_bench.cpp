@@ -2,6 +2,10 @@
 #include <benchmark/benchmark.h>
 #include <tinyxml2.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tools/modelgen/compile_model.hpp"
 
 namespace articam {
@@ -45,6 +49,49 @@ void compile(benchmark::State& state) {
   }
 }
 BENCHMARK(compile)->Name("modelgen/117_links")->Unit(benchmark::kMicrosecond);
+
+/// What FAULTS asks to be refused within 100 ms, each about as large as a file may be.
+std::string repeated(const std::string& head, const std::string& part, const std::string& tail) {
+  std::string text = head;
+  while (text.size() + part.size() + tail.size() < modelgen::kMaxSourceBytes) text += part;
+  return text + tail;
+}
+
+void hostile(benchmark::State& state, const std::string& text) {
+  const modelgen::CompileJob job{{"hostile.urdf", text}, {}, "Hostile", {}};
+  for (auto _ : state) {
+    modelgen::Diagnostics diagnostics;
+    if (modelgen::compile_model(job, diagnostics)) state.SkipWithError("was taken");
+  }
+}
+
+/// Links in a chain whose joints mimic the next one, the last the first: every chain is as long as can be.
+std::string mimic_cycle() {
+  std::string text = "<robot name='r'><link name='l0'/>";
+  for (int i = 0; i < 255; ++i) {
+    const std::string n = std::to_string(i), next = std::to_string((i + 1) % 255), child = std::to_string(i + 1);
+    text += "<link name='l" + child + "'/><joint name='j" + n + "' type='continuous'><parent link='l" + n +
+            "'/><child link='l" + child + "'/><mimic joint='j" + next + "'/></joint>";
+  }
+  return text + "</robot>";
+}
+
+[[maybe_unused]] const bool kRegistered = [] {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"deep", repeated("<robot name='r'>", "<a>", "")},
+      {"wide", repeated("<robot name='r'>", "<joint/>", "</robot>")},
+      {"thorny", repeated("<robot", " a=''", "/>")},
+      {"texts", repeated("<robot name='r'><link name='", "x", "'/></robot>")},
+      {"comments", repeated("<robot name='r'>", "<!---->", "<link/></robot>")},
+      {"instructions", repeated("<robot name='r'>", "<?a?>", "<link/></robot>")},
+      {"entities", "<!DOCTYPE r [<!ENTITY a '&b;&b;'><!ENTITY b 'lol'>]><robot name='&a;'/>"},
+      {"mimic_cycle", mimic_cycle()}};
+  for (const auto& [name, text] : files) {
+    const auto run = [text = text](benchmark::State& state) { hostile(state, text); };
+    benchmark::RegisterBenchmark(("modelgen/hostile/" + name).c_str(), run)->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace articam

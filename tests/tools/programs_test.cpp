@@ -84,8 +84,9 @@ TEST_F(ModelgenProgram, TellsWhyItCannotReadOrWrite) {
 }
 
 TEST_F(ModelgenProgram, EndsWithTwoOnWrongUsage) {
-  for (const char* rest : {"--name other", "--report r.html", "--freeze hinge", "--freeze hinge=x", "--poi p=door",
-                           "--poi p=door:1,2", "--poi =door:1,2,3", "--poi 'p=door:1, 2,3'", "--unknown", "extra"}) {
+  for (const char* rest :
+       {"--name other", "--report-noise 0 --report r.txt", "--report-noise 1", "--freeze hinge", "--freeze hinge=x",
+        "--poi p=door", "--poi p=door:1,2", "--poi =door:1,2,3", "--poi 'p=door:1, 2,3'", "--unknown", "extra"}) {
     EXPECT_EQ(compile(kDoor, rest).exit_code, 2) << rest;
   }
   EXPECT_EQ(run(ARTICAM_MODELGEN).exit_code, 2);
@@ -93,6 +94,26 @@ TEST_F(ModelgenProgram, EndsWithTwoOnWrongUsage) {
   EXPECT_EQ(run("cd " + folder_.string() + " && " ARTICAM_MODELGEN " --urdf m.urdf --name Door -o ./m.urdf").exit_code,
             2);
   EXPECT_EQ(read(folder_ / "m.urdf"), kDoor);
+}
+
+TEST_F(ModelgenProgram, ReportsAsTextOrAsJsonWithoutAHeaderIfNoneIsAsked) {
+  std::ofstream(folder_ / "m.urdf", std::ios::binary) << kDoor;
+  std::ofstream(folder_ / "m.yaml")
+      << "markers:\n  - {frame: door, type: dot, diameter_m: 0.05, polarity: dark_on_light}\n";
+  const std::string base = "cd " + folder_.string() + " && " + ARTICAM_MODELGEN + " --urdf m.urdf --markers m.yaml ";
+  EXPECT_EQ(run(base + "--report r.txt --report-range 0.4:0.9 --report-noise 0.05").exit_code, 0);
+  EXPECT_NE(read(folder_ / "r.txt").find("Range 0.40 to 0.90 m"), std::string::npos);
+  EXPECT_NE(read(folder_ / "r.txt").find("hinge\xC3\xA9"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "m.hpp"));
+  EXPECT_EQ(run(base + "--report r.json --name Door -o m.hpp").exit_code, 0);
+  EXPECT_EQ(read(folder_ / "r.json").substr(0, 14), "{\n  \"schema\": ");
+  EXPECT_TRUE(fs::exists(folder_ / "m.hpp"));
+  for (const std::string range : {"1", "2:1", "0:1", "a:b", "1:", ":1", "1:2:3"}) {
+    const Ended ended = run(base + "--report no.txt --report-range " + range);
+    EXPECT_EQ(ended.exit_code, 1) << range;
+    EXPECT_EQ(ended.text, "--report-range: " + range + ": is not MIN:MAX in m, between 0.01 and 100\n");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "no.txt"));
 }
 
 TEST_F(ModelgenProgram, RefusesHostileFilesWithin64Mebibytes) {
@@ -107,6 +128,14 @@ TEST_F(ModelgenProgram, RefusesHostileFilesWithin64Mebibytes) {
   for (const std::string& text : {"<robot name='r'>" + deep, "<robot name='r'>" + wide + "</robot>",
                                   "<robot" + thorny + "/>", entities, std::string(3'000'000, ' ')}) {
     const Ended ended = compile(text, "", "ulimit -v 65536; ");
+    EXPECT_EQ(ended.exit_code, 1) << ended.text;
+    EXPECT_FALSE(fs::exists(folder_ / "m.hpp"));
+  }
+  const std::string aliases =
+      "a: &a [x,x,x,x,x,x,x,x]\nb: &b [*a,*a,*a,*a,*a,*a,*a]\nc: &c [*b,*b,*b,*b,*b,*b]\nmarkers: [*c,*c,*c,*c,*c]\n";
+  for (const std::string& text : {std::string(1'000'000, '['), "markers: " + std::string(60'000, '['), aliases}) {
+    std::ofstream(folder_ / "m.yaml", std::ios::binary) << text;
+    const Ended ended = compile(kDoor, "--markers m.yaml", "ulimit -v 65536; ");
     EXPECT_EQ(ended.exit_code, 1) << ended.text;
     EXPECT_FALSE(fs::exists(folder_ / "m.hpp"));
   }

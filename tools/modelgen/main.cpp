@@ -2,6 +2,7 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -115,9 +116,10 @@ std::optional<Conditions> conditions_of(const Arguments& arguments, Diagnostics&
   Conditions conditions;
   conditions.camera = articam::report::default_camera();
   conditions.noise_px = arguments.report_noise_px;
-  const auto colon = arguments.report_range.find(':');
-  const auto least = parse_number(std::string_view(arguments.report_range).substr(0, colon));
-  const auto most = colon == std::string::npos ? least : parse_number(arguments.report_range.substr(colon + 1));
+  const std::string_view range = arguments.report_range;
+  const auto colon = std::min(range.find(':'), range.size());
+  const auto least = parse_number(range.substr(0, colon));
+  const auto most = parse_number(range.substr(std::min(colon + 1, range.size())));
   if (!least || !most || !(*least > 0.01 && *least <= *most && *most < 100)) {
     diagnostics.error("--report-range", 0, arguments.report_range, "is not MIN:MAX in m, between 0.01 and 100");
     return std::nullopt;

@@ -12,6 +12,10 @@
 namespace articam::modelgen {
 
 std::optional<YAML::Node> read_yaml(const SourceFile& source, Diagnostics& diagnostics) {
+  if (source.bytes.size() > kMaxYamlBytes) {
+    diagnostics.error(source.path, 0, "document", "is larger than 64 KiB; 256 markers take half of that");
+    return std::nullopt;
+  }
   try {
     YAML::Node document = YAML::Load(source.bytes);
     if (document.IsMap()) return document;

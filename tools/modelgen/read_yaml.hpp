@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -13,6 +14,8 @@
 #include "tools/modelgen/source_file.hpp"
 
 namespace articam::modelgen {
+
+inline constexpr std::size_t kMaxYamlBytes = 64 << 10;  ///< yaml-cpp takes some 200 bytes of memory for each
 
 /// The document's outermost mapping, or nothing after having said what is wrong.
 std::optional<YAML::Node> read_yaml(const SourceFile& source, Diagnostics& diagnostics);
