@@ -3,6 +3,7 @@
 #include <array>
 
 #include "tools/modelgen/check_model.hpp"
+#include "tools/modelgen/source_file.hpp"
 
 namespace articam::modelgen {
 namespace {
@@ -33,6 +34,7 @@ bool fits_a_name(char c) {
 
 std::string_view why_not_a_name(std::string_view text) {
   if (text.size() > 128) return "is longer than 128 bytes; shorten it";
+  if (find_non_text(text) != text.npos) return "is not UTF-8, by a character reference; rename it";
   if (!std::all_of(text.begin(), text.end(), fits_a_name)) {
     return "holds a blank, quote or sign that generated code and CSV columns cannot carry; rename it";
   }

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace articam::modelgen {
 namespace {
@@ -34,17 +35,6 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
-/// Offset of the first byte that is not text, or npos.
-std::size_t find_non_text(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size();) {
-    const auto c = static_cast<unsigned char>(bytes[i]);
-    const std::size_t length = c < 0x80 ? 1 : utf8_length(bytes.substr(i));  // nearly all of it is ASCII
-    if (length == 0 || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) return i;
-    i += length;
-  }
-  return std::string_view::npos;
-}
-
 bool write_all(int file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(file, content.data(), content.size());
@@ -57,32 +47,50 @@ bool write_all(int file, std::string_view content) {
 
 }  // namespace
 
+std::size_t find_non_text(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto c = static_cast<unsigned char>(bytes[i]);
+    const std::size_t length = c < 0x80 ? 1 : utf8_length(bytes.substr(i));  // nearly all of it is ASCII
+    if (length == 0 || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) return i;
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
 std::string SourceFile::file_name() const { return std::filesystem::path(path).filename().string(); }
 
 int SourceFile::line_of(std::size_t offset) const {
   return 1 + static_cast<int>(std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
-std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diagnostics) {
+std::optional<SourceFile> make_source(SourceFile source, Diagnostics& diagnostics) {
   const auto refuse = [&](int line, const std::string& reason) {
-    diagnostics.error(path, line, "file", reason);
+    diagnostics.error(source.path, line, "file", reason);
     return std::nullopt;
   };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return refuse(0, "is a folder, not a file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return refuse(0, std::string("cannot be opened: ") + std::strerror(errno));
-  SourceFile source{path, ""};
-  std::array<char, 1 << 14> part{};
-  while (source.bytes.size() <= kMaxSourceBytes && stream.read(part.data(), part.size()).gcount() > 0) {
-    source.bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) return refuse(0, "cannot be read");
   if (source.bytes.empty()) return refuse(0, "is empty");
   if (source.bytes.size() > kMaxSourceBytes) return refuse(0, "is larger than 1 MiB");
   const std::size_t bad = find_non_text(source.bytes);
   if (bad != std::string::npos) return refuse(source.line_of(bad), "is not UTF-8 text; save it in that encoding");
   return source;
+}
+
+std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& reason) {
+    diagnostics.error(path, 0, "file", reason);
+    return std::nullopt;
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return refuse("is a folder, not a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return refuse(std::string("cannot be opened: ") + std::strerror(errno));
+  SourceFile source{path, ""};
+  std::array<char, 1 << 14> part{};
+  while (source.bytes.size() <= kMaxSourceBytes && stream.read(part.data(), part.size()).gcount() > 0) {
+    source.bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) return refuse("cannot be read");
+  return make_source(std::move(source), diagnostics);
 }
 
 std::string sha256(std::string_view bytes) {

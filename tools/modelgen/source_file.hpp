@@ -20,7 +20,15 @@ struct SourceFile {
 
 inline constexpr std::size_t kMaxSourceBytes = 1u << 20;
 
-/// Errors  unreadable, empty, larger than kMaxSourceBytes, not UTF-8, or holding control characters.
+/// Offset of the first byte that is not text: not UTF-8, or a control character other than blanks and line ends. npos
+/// where all of it is.
+std::size_t find_non_text(std::string_view bytes);
+
+/// Bytes that are a source.
+/// Errors  empty, larger than kMaxSourceBytes, not text.
+std::optional<SourceFile> make_source(SourceFile source, Diagnostics& diagnostics);
+
+/// The same from a file. Errors  those, and what cannot be read.
 std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diagnostics);
 
 /// SHA-256 in 64 hexadecimal digits.

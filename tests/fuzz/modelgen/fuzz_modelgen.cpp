@@ -18,12 +18,16 @@ void law(bool holds, const char* what) {
   std::abort();  // libFuzzer keeps the input
 }
 
-CompileJob job_of(std::string_view text) {
+/// Nothing where the bytes are refused before anything is read of them.
+std::optional<CompileJob> job_of(std::string_view text, Diagnostics& diagnostics) {
   constexpr std::string_view kFence = "\n---\n";
   const auto fence = text.find(kFence);
-  CompileJob job{{"m.urdf", std::string(text.substr(0, fence))}, {}, "Model", {}};
-  if (fence != text.npos) job.markers = SourceFile{"m.yaml", std::string(text.substr(fence + kFence.size()))};
-  return job;
+  const auto urdf = make_source({"m.urdf", std::string(text.substr(0, fence))}, diagnostics);
+  if (!urdf) return std::nullopt;
+  CompileJob job{*urdf, {}, "Model", {}};
+  if (fence == text.npos) return job;
+  job.markers = make_source({"m.yaml", std::string(text.substr(fence + kFence.size()))}, diagnostics);
+  return job.markers ? std::optional{job} : std::nullopt;
 }
 
 bool is_one_line_of_text(std::string_view text) {
@@ -59,18 +63,16 @@ void silent(const char*) {}
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size > kMaxSourceBytes) return 0;  // read_source refuses them
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   Diagnostics first, second;
-  const CompileJob job = job_of(text);
-  const auto model = compile_model(job, first);
+  const auto job = job_of({reinterpret_cast<const char*>(data), size}, first);
+  const auto model = job ? compile_model(*job, first) : std::nullopt;
   law(model.has_value() != first.has_errors(), "a model, or an error that says why there is none");
   for (const Message& message : first.messages()) {
     law(is_one_line_of_text(to_string(message)), "a message is one line that cannot steer a terminal");
   }
   if (!model) return 0;
   check_header(model->header);
-  law(compile_model(job, second)->header == model->header, "two runs give the same bytes");
+  law(compile_model(*job, second)->header == model->header, "two runs give the same bytes");
   if (size % 16 == 0 && model->table.joints.size() < 4 && model->table.markers.size() < 5) {
     articam::report::Conditions conditions;
     conditions.camera = articam::report::default_camera();

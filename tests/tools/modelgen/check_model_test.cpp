@@ -56,6 +56,7 @@ TEST(CheckModel, RefusesNamesTakenTwiceAndNamesThatCodeCannotCarry) {
               std::string::npos)
         << name;
   }
+  EXPECT_NE(messages("<link name='a&#xD800;'/>").find("is not UTF-8"), std::string::npos);
   EXPECT_NE(messages("<link name='" + std::string(129, 'a') + "'/>").find("longer than 128"), std::string::npos);
 }
 
