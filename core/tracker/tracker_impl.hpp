@@ -102,7 +102,7 @@ auto Tracker<Model, Scalar>::coast(Timestamp t, Reason reason) const noexcept ->
   if (!following) motion.widen();
   Verdict verdict = judge_.unmeasured(reason, t);
   if (!has_start_) verdict = {TrackingStatus::initialising, Reason::no_start};
-  if (reason == Reason::image_mismatch && !judge_.following(t)) verdict.status = TrackingStatus::fault;
+  if (reason == Reason::image_mismatch && !following) verdict.status = TrackingStatus::fault;
   EstimateType estimate;
   estimate.t_capture = t;
   estimate.status = verdict.status;

@@ -53,7 +53,8 @@ TEST_F(ModelgenProgram, WritesAHeaderThatEveryCompilerTakesAloneWithoutAWarning)
   int compilers = 0;
   for (const char* rest : {"", "--poi p=door:0,0,1", "--root door --freeze hinge\xC3\xA9=0.5 --poi p=frame:0,0,1"}) {
     ASSERT_EQ(compile(kDoor, rest).exit_code, 0);
-    for (const std::string compiler : {"g++", "clang++", "clang++-14"}) {
+    for (const std::string compiler :
+         {"g++", "clang++", "aarch64-linux-gnu-g++", "arm-linux-gnueabihf-g++", "arm-none-eabi-g++"}) {
       if (run("command -v " + compiler).exit_code != 0) continue;
       ++compilers;
       const Ended ended = run("echo '#include \"m.hpp\"' | " + compiler +
