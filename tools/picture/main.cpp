@@ -1,0 +1,74 @@
+// articam-picture: an object as its camera sees it at the start, drawn from its URDF and its markers.
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+
+#include "tools/modelgen/read_camera.hpp"
+#include "tools/picture/draw.hpp"
+
+namespace {
+
+using namespace articam;
+
+constexpr int kDone = 0, kRefused = 1, kWrongUsage = 2;
+
+struct Arguments {
+  std::string urdf, markers, camera, output;
+  int width_px = 480;
+};
+
+void declare(CLI::App& app, Arguments& arguments) {
+  app.footer(
+      "The pose and the joints are the q0 of the markers file. Boxes, cylinders and spheres are drawn, meshes are "
+      "not.\n"
+      "A marker that is turned away, or has something before it, is named as a warning.\n"
+      "Example:\n"
+      "  articam-picture --urdf door.urdf --markers door.markers.yaml --camera front.yaml -o door.png\n"
+      "Exit codes: 0 done, 1 input refused, 2 wrong usage.");
+  app.set_version_flag("--version", "articam-picture " ARTICAM_VERSION);
+  app.add_option("--urdf", arguments.urdf, "Shape of the object")->required()->type_name("FILE");
+  app.add_option("--markers", arguments.markers, "Markers on its links, and q0 (YAML)")->required()->type_name("FILE");
+  app.add_option("--camera", arguments.camera, "The camera's ROS calibration (YAML); its distortion is left out")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", arguments.output, "PNG to write")->required()->type_name("FILE");
+  app.add_option("--width", arguments.width_px, "Width of the picture, px")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+}
+
+/// Empty when the diagnostics hold an error.
+std::string picture_for(const Arguments& arguments, modelgen::Diagnostics& diagnostics) {
+  const auto camera = modelgen::read_camera(arguments.camera, diagnostics);
+  const auto urdf = modelgen::read_source(arguments.urdf, diagnostics);
+  const auto markers = modelgen::read_source(arguments.markers, diagnostics);
+  if (!camera || !urdf || !markers) return {};
+  const auto scene = picture::scene_of(*urdf, *markers, diagnostics);
+  if (!scene) return {};
+  for (const std::string& marker : picture::hidden_markers(*scene)) {
+    diagnostics.warning(arguments.markers, 0, "marker '" + marker + "'", "the camera does not see the whole of it");
+  }
+  return picture::draw(*scene, *camera, arguments.width_px);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Draws an object as its camera sees it at the start, from its URDF and its markers."};
+  Arguments arguments;
+  declare(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {
+    return app.exit(stop) == 0 ? kDone : kWrongUsage;
+  }
+  modelgen::Diagnostics diagnostics;
+  const std::string png = picture_for(arguments, diagnostics);
+  std::fputs(diagnostics.text().c_str(), stderr);
+  if (png.empty()) return kRefused;
+  const std::string reason = modelgen::write_whole_file(arguments.output, png);
+  if (reason.empty()) return kDone;
+  std::fprintf(stderr, "%s: output: %s\n", arguments.output.c_str(), reason.c_str());
+  return kRefused;
+}
