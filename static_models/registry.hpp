@@ -5,16 +5,25 @@
 #include <string_view>
 #include <utility>
 
+#include "static_models/arm7/arm7.hpp"
+#include "static_models/cabinet/cabinet.hpp"
+#include "static_models/door/door.hpp"
+#include "static_models/laptop/laptop.hpp"
 #include "static_models/mire/mire.hpp"
 #include "static_models/mire_distance/mire_distance.hpp"
 #include "static_models/printer_drawer/printer_drawer.hpp"
+#include "static_models/steering_wheel/steering_wheel.hpp"
+#include "static_models/stress24/stress24.hpp"
+#include "static_models/switch_panel/switch_panel.hpp"
+#include "static_models/valve/valve.hpp"
 
 namespace articam::models {
 
 template <class... M>
 struct TypeList {};
 
-using StaticModels = TypeList<PrinterDrawer, Mire, MireDistance>;
+using StaticModels = TypeList<PrinterDrawer, Mire, MireDistance, Door, Valve, SteeringWheel, Cabinet, Laptop,
+                              SwitchPanel, Arm7, Stress24>;
 
 namespace detail {
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "static_models/registry.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace {
@@ -143,13 +144,31 @@ TEST_F(ModelgenProgram, RefusesHostileFilesWithin64Mebibytes) {
 }
 
 TEST(Programs, TeachWithHelpAndTellTheirVersion) {
-  for (const std::string program : {ARTICAM_MODELGEN, ARTICAM_PROBE}) {
+  for (const std::string program : {ARTICAM_MODELGEN, ARTICAM_PICTURE, ARTICAM_PROBE}) {
     const Ended help = run(program + " --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.text.find("Example"), std::string::npos);
     EXPECT_NE(help.text.find("Exit codes"), std::string::npos);
     EXPECT_EQ(run(program + " --version").exit_code, 0);
   }
+}
+
+TEST(PictureProgram, DrawsAModelAndRefusesAFileThatIsNot) {
+  const std::string door = ARTICAM_SOURCE_DIR "/static_models/door/door";
+  const fs::path folder = fs::path(testing::TempDir()) / "picture";
+  fs::create_directories(folder);
+  const std::string rest = " --markers " + door +
+                           ".markers.yaml --camera " ARTICAM_SOURCE_DIR
+                           "/static_models/cameras/xtion_vga.yaml --width 32 -o " +
+                           (folder / "door.png").string();
+  EXPECT_EQ(run(ARTICAM_PICTURE " --urdf " + door + ".markers.yaml" + rest).exit_code, 1);
+  EXPECT_FALSE(fs::exists(folder / "door.png"));
+  const Ended drawn = run(ARTICAM_PICTURE " --urdf " + door + ".urdf" + rest);
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.text;
+  EXPECT_EQ(drawn.text, "");
+  EXPECT_EQ(read(folder / "door.png").substr(1, 3), "PNG");
+  EXPECT_EQ(run(ARTICAM_PICTURE " --urdf " + door + ".urdf").exit_code, 2);
+  fs::remove_all(folder);
 }
 
 TEST(ProbeProgram, AnswersOneBlockALine) {
@@ -170,7 +189,9 @@ TEST(ProbeProgram, RefusesALineThatIsNotASetOfJointValues) {
 TEST(ProbeProgram, EndsWithTwoOnAModelThatIsNotThere) {
   EXPECT_EQ(run(ARTICAM_PROBE " absent < /dev/null").exit_code, 2);
   EXPECT_EQ(run(ARTICAM_PROBE " < /dev/null").exit_code, 2);
-  EXPECT_EQ(run(ARTICAM_PROBE " --list").text, "printer_drawer\nmire\nmire_distance\n");
+  std::string names;
+  for (const auto name : articam::models::kStaticModelNames) names.append(name).append("\n");
+  EXPECT_EQ(run(ARTICAM_PROBE " --list").text, names);
 }
 
 }  // namespace

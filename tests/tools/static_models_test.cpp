@@ -4,12 +4,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "core/model/configuration.hpp"
 #include "tools/modelgen/compile_model.hpp"
 #include "tools/modelgen/emit_camera.hpp"
 #include "tools/modelgen/read_camera.hpp"
+#include "tools/picture/scene.hpp"
 
 namespace articam::models {
 namespace {
@@ -24,6 +27,16 @@ std::string read(const std::string& path) {
 struct Committed {
   std::string folder, type;
 };
+
+/// The list of static_models/CMakeLists.txt, `Type:folder` by `Type:folder`.
+std::vector<Committed> committed() {
+  std::vector<Committed> models;
+  std::istringstream list(ARTICAM_STATIC_MODELS);
+  for (std::string word; list >> word;) {
+    models.push_back({word.substr(word.find(':') + 1), word.substr(0, word.find(':'))});
+  }
+  return models;
+}
 
 class StaticModel : public testing::TestWithParam<Committed> {};
 
@@ -40,14 +53,25 @@ TEST_P(StaticModel, HasTheTableThatItsSourcesGive) {
       << "out of date; update it:  cmake --build build/host-release --target regenerate_static_models";
 }
 
+TEST_P(StaticModel, HidesNoneOfItsMarkersFromTheCameraAtTheStart) {
+  const std::string stem = kFolder + GetParam().folder + "/" + GetParam().folder;
+  modelgen::Diagnostics diagnostics;
+  const auto urdf = modelgen::read_source(stem + ".urdf", diagnostics);
+  const auto markers = modelgen::read_source(stem + ".markers.yaml", diagnostics);
+  ASSERT_TRUE(urdf && markers) << diagnostics.text();
+  const auto scene = picture::scene_of(*urdf, *markers, diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.text();
+  EXPECT_EQ(picture::hidden_markers(*scene), std::vector<std::string>{});
+}
+
 TEST_P(StaticModel, IsInTheRegistryUnderItsFolder) {
   EXPECT_TRUE(visit_model(GetParam().folder, []<class Model>() { static_assert(model::Model<Model>); }));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, StaticModel,
-                         testing::Values(Committed{"printer_drawer", "PrinterDrawer"}, Committed{"mire", "Mire"},
-                                         Committed{"mire_distance", "MireDistance"}),
+INSTANTIATE_TEST_SUITE_P(All, StaticModel, testing::ValuesIn(committed()),
                          [](const auto& test) { return test.param.type; });
+
+TEST(StaticModels, AreTheSameListForCMakeAndForTheCompiler) { EXPECT_EQ(committed().size(), kStaticModelNames.size()); }
 
 TEST(StaticCameras, AreWhatTheirSourcesGive) {
   for (const auto& [stem, type] : {std::pair{"xtion_vga", "XtionVga"}, std::pair{"mire_384x288", "Mire384x288"}}) {

@@ -85,7 +85,8 @@ void expect_model() {
   std::map<std::string, double> values;
   std::string line, head = "joints";
   for (const auto& joint : model::kValueRows<Model>) {
-    const double q = joint.q_min + 0.37 * (joint.q_max - joint.q_min);
+    const bool limited = joint.q_max < model::kUnlimited;
+    const double q = limited ? joint.q_min + 0.37 * (joint.q_max - joint.q_min) : 0.37;
     std::ostringstream text;
     text.precision(17);
     text << q << ' ';
