@@ -4,12 +4,8 @@
 
 #include "core/math/so3.hpp"
 #include "core/math/trigonometry.hpp"
-#include "tools/modelgen/check_model.hpp"
-#include "tools/modelgen/expand_joints.hpp"
-#include "tools/modelgen/read_markers.hpp"
-#include "tools/modelgen/read_urdf.hpp"
+#include "tools/modelgen/compile_model.hpp"
 #include "tools/modelgen/reduce.hpp"
-#include "tools/modelgen/resolve_mimics.hpp"
 #include "tools/picture/read_visuals.hpp"
 
 namespace articam::picture {
@@ -47,7 +43,7 @@ Poses poses_at_start(const modelgen::UrdfModel& model, const modelgen::Table& ta
   return poses;
 }
 
-Shape mark_of(const modelgen::Marker& marker, const Pose<double>& T_cam_link, int index) {
+Shape mark_of(const modelgen::TableMarker& marker, const Pose<double>& T_cam_link, int index) {
   constexpr double kCardRatio = 1.4;
   constexpr double kAbove_m = 3e-4;  // a card is glued onto a face: above it for the rays
   constexpr Colour kLight{0.97, 0.97, 0.97}, kDark{0.1, 0.1, 0.1};
@@ -64,26 +60,21 @@ Shape mark_of(const modelgen::Marker& marker, const Pose<double>& T_cam_link, in
 
 std::optional<Scene> scene_of(const modelgen::SourceFile& urdf, const modelgen::SourceFile& markers_source,
                               modelgen::Diagnostics& diagnostics) {
-  const auto markers = modelgen::read_markers(markers_source, diagnostics);
-  auto model = modelgen::read_urdf(urdf, diagnostics);
-  if (!markers || !model) return std::nullopt;
-  expand_joints(*model, diagnostics);
-  check_model(*model, *markers, {}, diagnostics);
-  resolve_mimics(*model, {}, diagnostics);
-  if (!markers->q0) diagnostics.error(markers->file, 0, "q0", "is missing: nothing says where the camera stands");
-  if (diagnostics.has_errors()) return std::nullopt;
-  const auto table = modelgen::reduce(*model, *markers, {}, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-
-  const Poses poses = poses_at_start(*model, table);
+  const auto compiled = modelgen::compile_model({urdf, markers_source, "Scene", {}}, diagnostics);
+  if (!compiled) return std::nullopt;
+  if (compiled->table.q0.empty()) {
+    diagnostics.error(markers_source.path, 0, "q0", "is missing: nothing says where the camera stands");
+    return std::nullopt;
+  }
+  const Poses poses = poses_at_start(compiled->model, compiled->table);
   Scene scene;
   for (const Visual& visual : read_visuals(urdf, diagnostics)) {
     scene.shapes.push_back(
         {visual.form, poses.at(visual.link) * visual.T_link_shape, visual.size, visual.colour, {}, -1});
   }
-  for (const modelgen::Marker& marker : markers->markers) {
+  for (const modelgen::TableMarker& marker : compiled->table.markers) {
     const int index = static_cast<int>(scene.markers.size());
-    scene.shapes.push_back(mark_of(marker, poses.at(marker.frame), index));
+    scene.shapes.push_back(mark_of(marker, poses.at(marker.name), index));
     scene.markers.push_back(marker.name);
   }
   return diagnostics.has_errors() ? std::nullopt : std::optional{scene};
