@@ -6,22 +6,17 @@
 #include <string>
 
 #include "static_models/registry.hpp"
-#include "tools/probe/probe.hpp"
+#include "tools/probe/model_probe.hpp"
 
 namespace {
 
 constexpr int kDone = 0, kWrongUsage = 2;
 
 void declare(CLI::App& app, std::string& name, bool& list) {
-  app.footer(
-      "Prints `joints NAME...`; then for each line of joint values (rad, m) on stdin\n"
-      "  marker NAME x y z nx ny nz               centre and outward normal, root frame, m\n"
-      "  jac NAME JOINT vx vy vz wx wy wz         twist at that centre per unit joint rate, root frame\n"
-      "  end\n"
-      "A model without joints answers each empty line.\n"
-      "Example: the drawer open by 8 cm, its second marker 12 cm from the first\n"
-      "  echo 0.08 0.12 | articam-probe printer_drawer\n"
-      "Exit codes: 0 done, 1 a line is not a set of joint values, 2 wrong usage.");
+  app.footer(std::string(articam::probe::kLines) +
+             "Example: the drawer open by 8 cm, its second marker 12 cm from the first\n"
+             "  echo 0.08 0.12 | articam-probe printer_drawer\n"
+             "Exit codes: 0 done, 1 a line is not a set of joint values, 2 wrong usage.");
   app.set_version_flag("--version", "articam-probe " ARTICAM_VERSION);
   app.add_option("model", name, "Folder of static_models")->type_name("MODEL");
   app.add_flag("--list", list, "Name the models");

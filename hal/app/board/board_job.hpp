@@ -13,11 +13,11 @@
 
 #include "core/config.hpp"
 #include "core/model/table_hash.hpp"
+#include "core/tracker/tracker.hpp"
 #include "hal/app/board/board_link.hpp"
 #include "hal/app/board/board_options.hpp"
 #include "hal/app/board/statistics.hpp"
 #include "hal/app/start.hpp"
-#include "hal/firmware.hpp"
 #include "hal/link/tee_link.hpp"
 #include "hal/posix/monotonic_clock.hpp"
 #include "hal/posix/realtime.hpp"
