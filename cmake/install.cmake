@@ -23,6 +23,7 @@ function(articam_export component)
     install(TARGETS ${target} EXPORT articam_${component}
       ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
       FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/articam COMPONENT dev)
+    set_property(GLOBAL APPEND PROPERTY ARTICAM_INSTALLED_TARGETS ${target})
   endforeach()
   install(EXPORT articam_${component} NAMESPACE articam:: DESTINATION ${package} COMPONENT dev)
 endfunction()

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   double worst_rad = 0;
   std::puts("frame,hinge_rad,estimate_rad,std_rad,status");
   for (int frame = 0; frame < kFrames; ++frame) {
-    const double hinge_rad = -0.4 * (1 - std::cos(3.14159265 * frame / kFrames));  // shut -> wide open, softly
+    const double hinge_rad = 0.4 * (1 - std::cos(3.14159265 * frame / kFrames));  // shut -> wide open, softly
     draw(T_cam_obj, hinge_rad, *pixels);
     if (argc > 1) {
       char name[16];
