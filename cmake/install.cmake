@@ -70,4 +70,5 @@ install(FILES
   DESTINATION ${package} COMPONENT dev)
 install(FILES hal/wire/articam.proto hal/wire/articam.options hal/app/board/articam-board.service
   DESTINATION ${CMAKE_INSTALL_DATADIR}/articam COMPONENT dev)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/articam-dev COMPONENT dev)
 install(DIRECTORY examples/outside_project DESTINATION ${CMAKE_INSTALL_DATADIR}/articam/examples COMPONENT dev)
