@@ -4,8 +4,8 @@
 # Compiles a URDF at build time. `target_link_libraries(app PRIVATE articam::models::Name)` gives, for a
 # Name such as KitchenDoor,
 #     #include "models/kitchen_door.hpp"      // struct articam::models::KitchenDoor
-# Paths are relative to the calling folder, REPORT to its build folder: what the marks will and will not observe, and how
-# well; JSON where the name ends in .json.
+# Paths are relative to the calling folder, REPORT to its build folder: what the marks will and will not observe, and
+# how well; JSON where the name ends in .json.
 function(articam_add_model name)
   cmake_parse_arguments(arg "" "URDF;MARKERS;ROOT;REPORT" "FREEZE;POI" ${ARGN})
   articam_check_call(articam_add_model ${name} URDF)

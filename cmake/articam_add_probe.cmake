@@ -1,7 +1,7 @@
 # articam_add_probe(name MODEL Model)
 #
-# A program like articam-probe, for one model: of articam_add_model, or of our static_models. It prints where the markers
-# are, and their Jacobians, for joint values on its standard input; `name --help` has an example.
+# A program like articam-probe, for one model: of articam_add_model, or of our static_models. It prints where the
+# markers are, and their Jacobians, for joint values on its standard input; `name --help` has an example.
 function(articam_add_probe name)
   cmake_parse_arguments(arg "" "MODEL" "" ${ARGN})
   articam_check_call(articam_add_probe ${name} MODEL)

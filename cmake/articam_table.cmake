@@ -42,8 +42,8 @@ function(articam_find_generator usage)
   set_target_properties(articam::generator PROPERTIES IMPORTED_LOCATION ${ARTICAM_MODELGEN})
 endfunction()
 
-# articam_add_table(KIND Name SYMBOL symbol INPUTS f ... OPTIONS o ... [BYPRODUCTS f ...]): what a model and a camera are
-# to the build. Makes articam::KINDs::Name with the header KINDs/name.hpp, which defines SYMBOL.
+# articam_add_table(KIND Name SYMBOL symbol INPUTS f ... OPTIONS o ... [BYPRODUCTS f ...]): what a model and a camera
+# are to the build. Makes articam::KINDs::Name with the header KINDs/name.hpp, which defines SYMBOL.
 function(articam_add_table kind name)
   cmake_parse_arguments(arg "" "SYMBOL" "INPUTS;OPTIONS;BYPRODUCTS" ${ARGN})
   set(usage "articam_add_${kind}(${name}):")

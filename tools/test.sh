@@ -32,7 +32,8 @@ there() { for program; do command -v "$program" >/dev/null || return 1; done; }
 
 tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev \
   liborocos-kdl-dev liburdfdom-dev `# another opinion on URDF` \
-  librsvg2-bin poppler-utils `# other eyes on what articam-markers draws`
+  librsvg2-bin poppler-utils `# other eyes on what articam-markers draws` \
+  dpkg-dev file `# cpack`
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
 computing=(--target articam-bits --target articam-board --target articam-listen --target articam-modelgen
   --target articam-sim --target fuzz_modelgen)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the outside project's board program for another processor, with the generator of this one, and runs it under the
-# emulator over the frames that the native project drew.
+# Builds the outside project's board program for another processor, with the generator of this one, and runs it under
+# the emulator over the frames that the native project drew.
 #   cross_board.sh NATIVE_TESTS EMULATOR CMAKE SOURCE FOLDER CONFIGURE_OPTION...
 # Exit code 77 (skipped) when the native tests have left no prefix and no frames.
 set -euo pipefail
@@ -17,5 +17,6 @@ fi
 read -ra emulate <<<"$emulator"
 run() { "${emulate[@]}" "$folder/cupboard_board" "$@"; }
 run --help | grep -q "'Cupboard' from the camera 'Front'"
-run --camera "replay:$native/outside/frames" --rate 30 --frames 60 --priority 0 --quiet --link stdout >"$folder/rows.csv"
+run --camera "replay:$native/outside/frames" --rate 30 --frames 60 --priority 0 --quiet --link stdout \
+  >"$folder/rows.csv"
 grep -qE '^[0-9]+,[^,]*,tracking,none,' "$folder/rows.csv" || { tail -n 1 "$folder/rows.csv"; exit 1; }

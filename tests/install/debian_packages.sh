@@ -4,12 +4,13 @@
 set -euo pipefail
 cpack=$1 build=$2 folder=$3 version=$4 source=$5
 here=$(dirname "$0")
+export SOURCE_DATE_EPOCH=1700000000  # also where there is no git to ask
 fail() { echo "$*"; exit 1; }
 
 rm -rf "$folder"
 mkdir -p "$folder/first" "$folder/second"
 for run in first second; do
-  SOURCE_DATE_EPOCH=1700000000 "$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$folder/$run" >"$folder/log" 2>&1 ||
+  "$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$folder/$run" >"$folder/log" 2>&1 ||
     { cat "$folder/log"; exit 1; }
 done
 for deb in "$folder"/first/*.deb; do
@@ -29,8 +30,8 @@ holds articam-tools /usr/bin/articam-{board,detect,listen,markers,modelgen,probe
 holds articam-dev /usr/include/articam/core/tracker/tracker.hpp /usr/include/articam/hal/receiver/receiver.hpp \
   /usr/lib/libarticam_board.a /usr/lib/cmake/articam/articamConfig.cmake /usr/share/articam/articam-board.service \
   /usr/share/articam/examples/outside_project/CMakeLists.txt /usr/share/doc/articam-dev/copyright
-[[ $(field articam-tools Depends) == *libc6*libtinyxml2* ]] || fail "articam-tools misses its libraries"
-[[ $(field articam-dev Depends) == *"articam-tools (= $version)"*libeigen3-dev* ]] || fail "articam-dev misses its packages"
+[[ $(field articam-tools Depends) == *libc6*libtinyxml2* ]] || fail "articam-tools lacks its libraries"
+[[ $(field articam-dev Depends) == *"articam-tools (= $version)"*libeigen3-dev* ]] || fail "articam-dev lacks packages"
 
 for name in tools dev; do dpkg-deb --extract "$(find_deb "articam-$name")" "$folder/root"; done
 "$here/names_no_folder.sh" "$folder/root" "$source" "$build"

@@ -11,14 +11,16 @@ endfunction()
 articam_add_outside_project(Outside.Project ${example} ${outside})
 articam_add_outside_project(Outside.EqualModel ${CMAKE_CURRENT_SOURCE_DIR}/equal_model ${equal}
   -DARTICAM_STATIC_MODELS_FOLDER=${PROJECT_SOURCE_DIR}/static_models)
-articam_add_outside_project(Outside.OurModel ${CMAKE_CURRENT_SOURCE_DIR}/our_model ${CMAKE_CURRENT_BINARY_DIR}/our_model)
+set(ours ${CMAKE_CURRENT_BINARY_DIR}/our_model)
+articam_add_outside_project(Outside.OurModel ${CMAKE_CURRENT_SOURCE_DIR}/our_model ${ours})
 add_test(NAME Outside.ArticamAsASubdirectoryHasTheSameNames COMMAND ${CMAKE_COMMAND}
   -S ${CMAKE_CURRENT_SOURCE_DIR}/subdirectory -B ${CMAKE_CURRENT_BINARY_DIR}/subdirectory -G ${CMAKE_GENERATOR}
   -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DFETCHCONTENT_SOURCE_DIR_ARTICAM=${PROJECT_SOURCE_DIR})
 
 function(articam_add_outside_test name project expected)
   add_test(NAME Outside.${name} COMMAND ${ARGN})
-  set_tests_properties(Outside.${name} PROPERTIES FIXTURES_REQUIRED Outside.${project} PASS_REGULAR_EXPRESSION "${expected}")
+  set_tests_properties(Outside.${name} PROPERTIES
+    FIXTURES_REQUIRED Outside.${project} PASS_REGULAR_EXPRESSION "${expected}")
 endfunction()
 add_test(NAME Outside.TheTrackerFollowsTheDoor COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/draw_frames.sh ${outside})
 set_tests_properties(Outside.TheTrackerFollowsTheDoor PROPERTIES
@@ -33,9 +35,9 @@ articam_add_outside_test(TheProbeTellsArticamsVersion Project "^cupboard_probe .
   ${outside}/cupboard_probe --version)
 articam_add_outside_test(TheReportIsJsonWhereItsNameSaysSo EqualModel "\"model\": \"printer_drawer\""
   ${CMAKE_COMMAND} -E cat ${equal}/reports/printer.json)
-articam_add_outside_test(ABoardsProgramForOurModelTakesItsTrackerFromTheFirmware OurModel "'PrinterDrawer' from the camera"
-  ${CMAKE_CURRENT_BINARY_DIR}/our_model/printer_board --help)
+articam_add_outside_test(ABoardsProgramForOurModelTakesItsTrackerFromTheFirmware
+  OurModel "'PrinterDrawer' from the camera" ${ours}/printer_board --help)
 add_test(NAME Outside.TheProbeOfAnEqualModelSaysTheSame
-  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/same_answers.sh "${prefix}/bin/articam-probe printer_drawer" ${equal}/printer_probe
-)
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/same_answers.sh
+    "${prefix}/bin/articam-probe printer_drawer" ${equal}/printer_probe)
 set_tests_properties(Outside.TheProbeOfAnEqualModelSaysTheSame PROPERTIES FIXTURES_REQUIRED Outside.EqualModel)
