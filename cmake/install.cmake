@@ -51,8 +51,9 @@ set(ARTICAM_LIBCAMERA_MODULE "")
 if(TARGET articam_libcamera)
   set(ARTICAM_LIBCAMERA_MODULE libcamera)
 endif()
+file(RELATIVE_PATH ARTICAM_TO_BIN ${CMAKE_INSTALL_FULL_LIBDIR}/cmake/articam ${CMAKE_INSTALL_FULL_BINDIR})
 configure_package_config_file(cmake/articamConfig.cmake.in ${PROJECT_BINARY_DIR}/articamConfig.cmake
-  INSTALL_DESTINATION ${package} PATH_VARS CMAKE_INSTALL_BINDIR)
+  INSTALL_DESTINATION ${package})
 # Before 1.0 a minor version may change what a caller writes.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/articamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES

@@ -10,7 +10,8 @@ function(articam_add_outside_project name source folder)
 endfunction()
 articam_add_outside_project(Outside.Project ${example} ${outside})
 articam_add_outside_project(Outside.EqualModel ${CMAKE_CURRENT_SOURCE_DIR}/equal_model ${equal}
-  -DARTICAM_STATIC_MODELS_FOLDER=${PROJECT_SOURCE_DIR}/static_models)
+  -DARTICAM_STATIC_MODELS_FOLDER=${PROJECT_SOURCE_DIR}/static_models
+  -Darticam_DIR=${prefix}.linked/${CMAKE_INSTALL_LIBDIR}/cmake/articam)
 set(ours ${CMAKE_CURRENT_BINARY_DIR}/our_model)
 articam_add_outside_project(Outside.OurModel ${CMAKE_CURRENT_SOURCE_DIR}/our_model ${ours})
 add_test(NAME Outside.ArticamAsASubdirectoryHasTheSameNames COMMAND ${CMAKE_COMMAND}
