@@ -8,9 +8,9 @@ case ${1-} in
     cat <<'END'
 Usage: tools/fuzz_modelgen.sh [RUNS [SEED]]
 
-Builds fuzz_modelgen with Clang and runs it RUNS times (default 1000000, seed 1) on mutations of tests/fuzz/modelgen/seeds
-and of the URDF corpus at ../shared/urdf_corpus, if it is there. Ends with an error at the first crash, leak, run of more
-than a second or broken law, and leaves the input in the folder (crash-..., timeout-...).
+Builds fuzz_modelgen with Clang and runs it RUNS times (default 1000000, seed 1) on mutations of the seeds in
+tests/fuzz/modelgen/seeds and of the URDF corpus at ../shared/urdf_corpus, if it is there. Ends with an error at the
+first crash, leak, run of more than a second or broken law, and leaves the input in the folder (crash-..., timeout-...).
 END
     exit 0 ;;
 esac

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the fuzzer of the model compiler from the seeds here, and from the URDF corpus where it lies beside the repository.
+# Runs the fuzzer of the model compiler from the seeds here, and from the URDF corpus if it lies beside the repository.
 #   run.sh FUZZ_MODELGEN RUNS [SEED]
 # Exit code 77 (skipped) when the program has not been built. New inputs are forgotten, an input that breaks a law stays
 # in the folder it was run in.
