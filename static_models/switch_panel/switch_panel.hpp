@@ -8,7 +8,7 @@
 //   |-- right_push (prismatic) --> right_button  [right_button_dot]
 //   |-- slide (prismatic) --> slider  [slider_dot]
 //   |-- left_throw (revolute) --> left_rocker  [left_rocker_dot]
-//   `-- right_throw (revolute, = 1 left_throw) --> right_rocker  [right_rocker_dot]
+//   `-- right_throw (revolute, = left_throw) --> right_rocker  [right_rocker_dot]
 //
 // Units m, rad. T_parent_joint maps points of {joint} into {parent}; quaternions w x y z.
 // Rows are ordered so that a parent comes before its children; -1 is the root, {obj}.

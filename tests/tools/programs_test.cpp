@@ -112,10 +112,14 @@ TEST_F(ModelgenProgram, ReportsAsTextOrAsJsonWithoutAHeaderIfNoneIsAsked) {
   EXPECT_TRUE(fs::exists(folder_ / "m.hpp"));
   for (const std::string range : {"1", "2:1", "0:1", "a:b", "1:", ":1", "1:2:3"}) {
     const Ended ended = run(base + "--report no.txt --report-range " + range);
-    EXPECT_EQ(ended.exit_code, 1) << range;
-    EXPECT_EQ(ended.text, "--report-range: " + range + ": is not MIN:MAX in m, between 0.01 and 100\n");
+    EXPECT_EQ(ended.exit_code, 2) << range;
+    EXPECT_NE(ended.text.find("--report-range: '" + range + "' is not MIN:MAX in m, between 0.01 and 100\n"),
+              std::string::npos);
   }
   EXPECT_FALSE(fs::exists(folder_ / "no.txt"));
+  EXPECT_EQ(run(base + "--report -").text.find(": what its marks will tell"), 12u);  // behind 'kitchen door'
+  EXPECT_EQ(run(base + "--name Door -o same.txt --report ./same.txt").exit_code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "same.txt"));
 }
 
 TEST_F(ModelgenProgram, RefusesHostileFilesWithin64Mebibytes) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 #include "tools/modelgen/emit_text.hpp"
@@ -20,9 +21,10 @@ std::string markers(const Table& table, int body) {
 /// How a joint follows another: `, = 2 hinge + 0.1`.
 std::string gear(const Table& table, const TableJoint& joint) {
   if (joint.leader < 0) return "";
-  const std::string& leader = table.joints[static_cast<std::size_t>(joint.leader)].name;
-  const std::string offset = joint.offset == 0 ? "" : " + " + number(joint.offset);
-  return fmt::format(", = {} {}{}", number(joint.ratio), leader, offset);
+  const std::string ratio = joint.ratio == 1 ? "" : number(joint.ratio) + ' ';
+  const std::string offset =
+      joint.offset == 0 ? "" : (joint.offset < 0 ? " - " : " + ") + number(std::abs(joint.offset));
+  return fmt::format(", = {}{}{}", ratio, table.joints[static_cast<std::size_t>(joint.leader)].name, offset);
 }
 
 /// The branches below a body, one a line; `stem` is what runs on from the lines above.

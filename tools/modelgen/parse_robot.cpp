@@ -87,6 +87,27 @@ void drop_prefix(XMLElement& element, const std::string& prefix) {
   }
 }
 
+const char* what_is_wrong(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "a tag here is not closed, or closed by another name";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "a tag is not finished by >";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not NAME=\"VALUE\", or is given twice";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment is not closed by -->";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "a CDATA section is not closed by ]]>";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "text does not end where a tag should begin";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "there is no element at all";
+    default:
+      return tinyxml2::XMLDocument::ErrorIDToName(error);
+  }
+}
+
 }  // namespace
 
 XMLElement* parse_robot(const SourceFile& source, tinyxml2::XMLDocument& document, Diagnostics& diagnostics) {
@@ -102,7 +123,8 @@ XMLElement* parse_robot(const SourceFile& source, tinyxml2::XMLDocument& documen
     return refuse(document.ErrorLineNum(), "document", "elements are nested deeper than 32 levels");
   }
   if (document.Error()) {
-    return refuse(document.ErrorLineNum(), "document", fmt::format("not well-formed XML ({})", document.ErrorName()));
+    return refuse(document.ErrorLineNum(), "document",
+                  fmt::format("not well-formed XML: {}", what_is_wrong(document.ErrorID())));
   }
   XMLElement* const robot = document.RootElement();
   if (robot == nullptr || local_name(*robot) != "robot") {

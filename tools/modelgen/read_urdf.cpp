@@ -179,6 +179,8 @@ std::optional<UrdfModel> read_urdf(const SourceFile& source, Diagnostics& diagno
       return std::nullopt;
     }
   }
+  model.num_links = model.links.size();
+  model.num_joints = model.joints.size();
   return model;
 }
 

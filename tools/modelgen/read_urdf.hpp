@@ -46,6 +46,7 @@ struct UrdfModel {
   int line{};
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
+  std::size_t num_links{}, num_joints{};  ///< as written: what follows may add some
 };
 
 inline constexpr std::size_t kMaxLinks = 256;

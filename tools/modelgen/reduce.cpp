@@ -41,13 +41,6 @@ model::JointKind kind_of(JointType type) {
   return type == JointType::continuous ? model::JointKind::continuous : model::JointKind::prismatic;
 }
 
-/// {joint} displaced by q, in {joint}.
-Pose<double> displacement(const UrdfJoint& joint, double q) {
-  const Vec3 step = unit_axis(joint) * q;
-  if (joint.type == JointType::prismatic) return {Quat<double>::Identity(), step};
-  return {math::exp_so3<double>(step), Vec3::Zero()};
-}
-
 /// Where a link sits on its body.
 struct Place {
   int body{-1};
@@ -81,13 +74,16 @@ class Walk {
   void cross(const UrdfJoint& joint, bool downwards, const Place& from) {
     const std::string& to_link = downwards ? joint.child : joint.parent;
     Pose<double> T_parent_child = pose_of(joint.origin_xyz, joint.origin_rpy);
-    if (joint.held) T_parent_child = T_parent_child * displacement(joint, *joint.held);
+    if (joint.held)
+      T_parent_child =
+          T_parent_child * displacement(joint.type == JointType::prismatic, unit_axis(joint) * *joint.held);
     if (!joint.moves() || joint.held) {
       const Pose<double> T_from_to = downwards ? T_parent_child : T_parent_child.inverse();
       return visit(to_link, {from.body, from.T_body_link * T_from_to});
     }
     TableJoint row;
     row.name = joint.name;
+    row.line = joint.line;
     row.child_link = to_link;
     row.kind = kind_of(joint.type);
     row.parent = from.body;
@@ -152,6 +148,11 @@ Pose<double> pose_of(const std::array<double, 3>& xyz, const std::array<double, 
   const auto r = math::sin_cos(0.5 * rpy[0]), p = math::sin_cos(0.5 * rpy[1]), y = math::sin_cos(0.5 * rpy[2]);
   const Quat<double> yaw(y.cos, 0, 0, y.sin), pitch(p.cos, 0, p.sin, 0), roll(r.cos, r.sin, 0, 0);
   return {yaw * pitch * roll, Vec3(xyz[0], xyz[1], xyz[2])};
+}
+
+Pose<double> displacement(bool slides, const Vec3& step) {
+  if (slides) return {Quat<double>::Identity(), step};
+  return {math::exp_so3<double>(step), Vec3::Zero()};
 }
 
 Table reduce(const UrdfModel& model, const MarkersFile& markers, const ModelOptions& options,

@@ -26,4 +26,7 @@ double rounded(double x);
 /// T = the origin of a joint or link. rpy: fixed-axis roll, pitch, yaw, R = Rz(y) Ry(p) Rx(r).
 Pose<double> pose_of(const std::array<double, 3>& xyz, const std::array<double, 3>& rpy);
 
+/// A moving joint's frame displaced by axis times value, along or about it.
+Pose<double> displacement(bool slides, const Vec<double, 3>& step);
+
 }  // namespace articam::modelgen

@@ -80,7 +80,10 @@ void freeze(const Freeze& request, const Resolver& joints, Diagnostics& diagnost
   const std::string name = fmt::format("joint '{}'", request.joint);
   const auto refuse = [&](const std::string& reason) { diagnostics.error("--freeze", 0, name, reason); };
   UrdfJoint* const joint = joints.find(request.joint);
-  if (joint == nullptr) return refuse("the URDF has no such joint");
+  if (joint == nullptr) {
+    const bool has_parts = joints.find(request.joint + ".x") != nullptr;
+    return refuse(has_parts ? "has several values; name a part of it, as in NAME.x" : "the URDF has no such joint");
+  }
   if (!joint->moves()) return refuse("is fixed already");
   if (joint->mimics) return refuse(fmt::format("mimics '{}'; freeze that one", joint->leader));
   if (joint->held) return refuse("is given twice, or stands still already");
@@ -103,6 +106,8 @@ void resolve_mimics(UrdfModel& model, const ModelOptions& options, Diagnostics& 
     if (leader == nullptr || !leader->held) continue;
     joint.held = joint.ratio * *leader->held + joint.offset;
     joint.mimics = false;
+    if (joint.lower <= *joint.held && *joint.held <= joint.upper) continue;
+    resolver.warning(joint, fmt::format("held at {} with its leader, outside its limits", *joint.held));
   }
 }
 

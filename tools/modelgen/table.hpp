@@ -12,6 +12,7 @@ namespace articam::modelgen {
 /// model::JointRow with names that own their text, and the link below the joint.
 struct TableJoint {
   std::string name;
+  int line{};  ///< in the URDF
   std::string child_link;
   Pose<double> T_body_link;  ///< of child_link; identity unless the joint was turned round by --root
   model::JointKind kind{};

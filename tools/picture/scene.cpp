@@ -23,10 +23,8 @@ void place_below(const std::string& link, const Pose<double>& T_cam_link, const 
     const double own = joint.mimics ? joint.ratio * value_of(joint.leader) + joint.offset : value_of(joint.name);
     const Vec3 step = Vec3(joint.axis[0], joint.axis[1], joint.axis[2]).normalized() * joint.held.value_or(own);
     Pose<double> T_parent_child = modelgen::pose_of(joint.origin_xyz, joint.origin_rpy);
-    if (joint.type == modelgen::JointType::prismatic) {
-      T_parent_child = T_parent_child * Pose<double>{Quat<double>::Identity(), step};
-    } else if (joint.moves()) {
-      T_parent_child = T_parent_child * Pose<double>{math::exp_so3<double>(step), Vec3::Zero()};
+    if (joint.moves()) {
+      T_parent_child = T_parent_child * modelgen::displacement(joint.type == modelgen::JointType::prismatic, step);
     }
     place_below(joint.child, T_cam_link * T_parent_child, model, values, poses);
   }

@@ -11,6 +11,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMinDepth_m = 0.01;
 constexpr double kNoEigenvalue = 1e-10;  ///< of a matrix with ones on its diagonal: roundings stay below
+constexpr double kNoMotion = 1e-12;      ///< squared px over squared px across: what rounding leaves of none
 constexpr double kPartOf = 1e-6;         ///< squared component in a direction that nothing is known of
 
 /// The centre's velocity per step: t, rotation about the axes of {cam}, joints.
@@ -30,17 +31,18 @@ bool inside(const Vec3& p, double radius_px, const CameraParameters& camera) {
 
 /// Steps of comparable size for the singular values: 1 cm, 1 deg.
 VectorX natural_steps(const modelgen::Table& table) {
-  const auto values = table.values();
-  VectorX steps(6 + static_cast<Eigen::Index>(values.size()));
+  VectorX steps(6 + static_cast<Eigen::Index>(table.values().size()));
   for (Eigen::Index i = 0; i < steps.size(); ++i) {
-    const bool metres =
-        i < 3 || (i >= 6 && values[static_cast<std::size_t>(i - 6)]->kind == model::JointKind::prismatic);
-    steps[i] = metres ? 0.01 : kDegree;
+    steps[i] = is_metres(table, static_cast<std::size_t>(i)) ? 0.01 : kDegree;
   }
   return steps;
 }
 
 }  // namespace
+
+bool is_metres(const modelgen::Table& table, std::size_t i) {
+  return i < 3 || (i >= 6 && table.values()[i - 6]->kind == model::JointKind::prismatic);
+}
 
 std::vector<Sight> look(const modelgen::Table& table, const View& view, const CameraParameters& camera) {
   const Marks marks = place_marks(table, view.joints);
@@ -59,8 +61,13 @@ std::vector<Sight> look(const modelgen::Table& table, const View& view, const Ca
     sight.across_px = camera.fx_px / p.z() * velocity.colwise().norm().transpose();
     sight.diameter_px = camera.fx_px * table.markers[m].outer_diameter_m / p.z();
     const double facing = -(view.T_cam_obj.R * marks.normal[m]).dot(p.normalized());
-    sight.seen = sight.diameter_px >= kMinDiameter_px && facing > std::cos(kMaxTilt_deg * kDegree) &&
-                 inside(p, 0.5 * sight.diameter_px, camera);
+    if (sight.diameter_px < kMinDiameter_px) {
+      sight.sighting = Sighting::too_small;
+    } else if (!(facing > std::cos(kMaxTilt_deg * kDegree))) {
+      sight.sighting = Sighting::turned_away;
+    } else if (inside(p, 0.5 * sight.diameter_px, camera)) {
+      sight.sighting = Sighting::seen;
+    }
   }
   return sights;
 }
@@ -69,27 +76,41 @@ MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& u
   const Eigen::Index n = sights.empty() ? 6 : sights.front().A.cols();
   MatrixX sum = MatrixX::Zero(n, n);
   for (std::size_t m = 0; m < sights.size(); ++m) {
-    if (use[m] && sights[m].seen) sum += sights[m].A.transpose() * sights[m].A;
+    if (use[m] && sights[m].seen()) sum += sights[m].A.transpose() * sights[m].A;
   }
   return sum;
 }
 
-double least_singular_px(const std::vector<Sight>& sights, const modelgen::Table& table) {
+double least_singular_px(const std::vector<Sight>& sights, const std::vector<bool>& use, const modelgen::Table& table) {
   const VectorX steps = natural_steps(table);
-  const MatrixX all = information(sights, std::vector<bool>(sights.size(), true));
-  const MatrixX stepped = steps.asDiagonal() * all * steps.asDiagonal();
+  const MatrixX stepped = steps.asDiagonal() * information(sights, use) * steps.asDiagonal();
   const double least = Eigen::SelfAdjointEigenSolver<MatrixX>(stepped, Eigen::EigenvaluesOnly).eigenvalues()[0];
   return std::sqrt(std::max(0.0, least));
 }
 
-Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, double noise_px) {
+VectorX known_beforehand(const modelgen::Table& table) {
+  const auto values = table.values();
+  VectorX known(6 + static_cast<Eigen::Index>(values.size()));
+  known << 10, 10, 10, std::numbers::pi, std::numbers::pi, std::numbers::pi, VectorX::Zero(known.size() - 6);
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const double range = std::max(high_limit(*values[j]) - low_limit(*values[j]), 1e-6);
+    known[static_cast<Eigen::Index>(6 + j)] = range / std::sqrt(12.0);
+  }
+  return known;
+}
+
+Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, const VectorX& beforehand,
+            double noise_px) {
   const MatrixX I = information(sights, use);
   const Eigen::Index n = I.rows();
   VectorX across = VectorX::Zero(n);
   for (std::size_t m = 0; m < sights.size(); ++m) {
-    if (use[m] && sights[m].seen) across += sights[m].across_px.cwiseAbs2();
+    if (use[m] && sights[m].seen()) across += sights[m].across_px.cwiseAbs2();
   }
-  const VectorX scale = I.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 0.0; });
+  VectorX scale = VectorX::Zero(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (I(i, i) > kNoMotion * across[i]) scale[i] = 1 / std::sqrt(I(i, i));
+  }
   const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(scale.asDiagonal() * I * scale.asDiagonal());
   const VectorX& lambda = eigen.eigenvalues();
   const MatrixX& U = eigen.eigenvectors();
@@ -101,21 +122,22 @@ Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, doub
       noise_px * noise_px * (scale.asDiagonal() * U * inverse.asDiagonal() * U.transpose() * scale.asDiagonal());
   result.deviation = result.dilution = VectorX::Constant(n, std::numeric_limits<double>::infinity());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const bool observed = scale[i] > 0 && unknown[i] < kPartOf;
+    const double deviation = std::sqrt(result.covariance(i, i));
+    const bool observed = scale[i] > 0 && unknown[i] < kPartOf && deviation < beforehand[i];
     result.observed.push_back(observed);
     if (!observed) {
       result.covariance.row(i).setZero();
       result.covariance.col(i).setZero();
       continue;
     }
-    result.deviation[i] = std::sqrt(result.covariance(i, i));
+    result.deviation[i] = deviation;
     result.dilution[i] = result.deviation[i] * std::sqrt(across[i]) / noise_px;
   }
   return result;
 }
 
-Bound bound(const std::vector<Sight>& sights, double noise_px) {
-  return bound(sights, std::vector<bool>(sights.size(), true), noise_px);
+Bound bound(const std::vector<Sight>& sights, const VectorX& beforehand, double noise_px) {
+  return bound(sights, std::vector<bool>(sights.size(), true), beforehand, noise_px);
 }
 
 }  // namespace articam::report

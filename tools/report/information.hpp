@@ -1,18 +1,24 @@
 #pragma once
 /// @file  What one view tells of every degree of freedom: the Cramer-Rao bound of the marks' centres.
 
+#include <algorithm>
 #include <vector>
 
 #include "tools/report/view.hpp"
 
 namespace articam::report {
 
+enum class Sighting { seen, outside_picture, turned_away, too_small };
+
 /// A mark in one view.
 struct Sight {
-  bool seen{};           ///< in the image, facing the camera within 75 deg, and at least kMinDiameter_px across
-  double diameter_px{};  ///< of its outer circle, seen face to face at its depth
+  Sighting sighting{
+      Sighting::outside_picture};              ///< the first that applies, in the order too_small, turned_away, outside
+  double diameter_px{};                        ///< of its outer circle, seen face to face at its depth
   Eigen::Matrix<double, 2, Eigen::Dynamic> A;  ///< px per (m, rad in {cam}, joint values), order of the step in core
   VectorX across_px;  ///< how far the centre would move by the same steps if it went across the line of sight
+
+  bool seen() const { return sighting == Sighting::seen; }
 };
 
 /// Below it the detectors of rings and dots do not answer reliably.
@@ -22,6 +28,13 @@ inline constexpr double kMaxTilt_deg = 75;
 /// Points without a mark are never seen.
 std::vector<Sight> look(const modelgen::Table& table, const View& view, const CameraParameters& camera);
 
+/// Whether entry i of a Bound is a length; an angle otherwise.
+bool is_metres(const modelgen::Table& table, std::size_t i);
+
+/// Deviations of what is known before anything is seen, in the order of a Bound: 10 m and half a turn of the base, and
+/// of a joint that of any value within its limits, range / sqrt(12).
+VectorX known_beforehand(const modelgen::Table& table);
+
 /// Of one view; entries in the order t (3, m), rotation in {cam} (3, rad), joint values (rad or m).
 struct Bound {
   std::vector<bool> observed;
@@ -30,6 +43,8 @@ struct Bound {
   /// seen along its axis has a large one.
   VectorX dilution;
   MatrixX covariance;  ///< zero rows where not observed
+
+  bool complete() const { return std::find(observed.begin(), observed.end(), false) == observed.end(); }
 };
 
 /// sum A'A over the marks that are seen and used, px^2.
@@ -37,13 +52,14 @@ MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& u
 
 /// Least singular value of the stacked A in px per step of 1 cm, 1 deg: how far the marks move, all together, in the
 /// direction that is worst seen.
-double least_singular_px(const std::vector<Sight>& sights, const modelgen::Table& table);
+double least_singular_px(const std::vector<Sight>& sights, const std::vector<bool>& use, const modelgen::Table& table);
 
-/// `use[m]`: whether mark m counts. The information's Jacobi-scaled eigenvalues below 1e-10 are
-/// taken as none, and what has a part in their eigenvectors as not observed.
-Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, double noise_px);
+/// `use[m]`: whether mark m counts. Not observed is what moves no mark by more than rounding, what has a part in an
+/// eigenvector of the Jacobi-scaled information whose eigenvalue is below 1e-10, and what is then not better known than
+/// beforehand.
+Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, const VectorX& beforehand, double noise_px);
 
 /// The same with every mark that is seen.
-Bound bound(const std::vector<Sight>& sights, double noise_px);
+Bound bound(const std::vector<Sight>& sights, const VectorX& beforehand, double noise_px);
 
 }  // namespace articam::report

@@ -20,7 +20,7 @@ Json numbers(const VectorX& v) {
 Json to_json(const View& view) {
   return {{"range_m", view.range_m},
           {"tilt_deg", view.tilt_deg},
-          {"azimuth_deg", view.azimuth_deg},
+          {"from", numbers(view.from)},
           {"joints", numbers(view.joints)}};
 }
 
@@ -54,6 +54,18 @@ Json freedoms_json(const Report& r) {
   return list;
 }
 
+Json loss_json(const Loss& loss) {
+  Json blinded = Json::array();
+  for (const Blinded& b : loss.blinded) {
+    blinded.push_back({{"name", b.name}, {"views_with", b.num_with}, {"views_without", b.num_without}});
+  }
+  return {{"observed_less", blinded},
+          {"not_observed_at_q0", loss.at_start},
+          {"grows_most", loss.worst_grown},
+          {"growth", loss.growth},
+          {"least_singular_px", loss.least_singular_px}};
+}
+
 Json marks_json(const Report& r) {
   Json list = Json::array();
   for (std::size_t i = 0; i < r.sizes.size(); ++i) {
@@ -63,11 +75,11 @@ Json marks_json(const Report& r) {
                     {"nearest_px", s.nearest_px},
                     {"farthest_px", s.farthest_px},
                     {"max_range_m", s.max_range_m},
-                    {"too_small", s.farthest_px < kMinDiameter_px},
-                    {"seen_in_views", loss.num_views},
-                    {"not_observed_without_it", loss.blinded},
-                    {"grows_most_without_it", loss.worst_grown},
-                    {"growth", loss.growth}});
+                    {"share_seen", loss.share_seen},
+                    {"share_outside_picture", loss.share_outside_picture},
+                    {"share_turned_away", loss.share_turned_away},
+                    {"share_too_small", loss.share_too_small},
+                    {"without_it", loss_json(loss)}});
   }
   return list;
 }
@@ -78,7 +90,7 @@ Json symmetries_json(const Report& r) {
     list.push_back({{"takes_place_of", s.takes_place_of},
                     {"joints", numbers(s.joints)},
                     {"other_joints", numbers(s.other_joints)},
-                    {"turn_deg", s.turn_deg},
+                    {"turn_rad", numbers(s.turn_rad)},
                     {"residual_m", s.residual_m}});
   }
   return list;
@@ -87,12 +99,21 @@ Json symmetries_json(const Report& r) {
 Json advice_json(const Report& r) {
   Json list = Json::array();
   for (const Advice& a : r.advice) {
+    Json effects = Json::array();
+    for (const Effect& e : a.effects) {
+      effects.push_back({{"name", e.name},
+                         {"share_observed_without", e.share_without},
+                         {"share_observed_with", e.share_with},
+                         {"median_deviation_without", finite(e.median_without)},
+                         {"median_deviation_with", finite(e.median_with)}});
+    }
     list.push_back({{"link", a.candidate.link},
-                    {"poi", a.candidate.name},
+                    {"poi", a.candidate.point},
                     {"place_m", numbers(a.candidate.place)},
                     {"normal", numbers(a.candidate.normal)},
+                    {"diameter_m", a.candidate.mark.outer_diameter_m},
                     {"gain", a.gain},
-                    {"median_deviation_with_it", a.median_with}});
+                    {"effects", effects}});
   }
   return list;
 }
@@ -114,11 +135,14 @@ std::string to_json(const Report& r) {
             {"conditions", conditions_json(r.conditions)},
             {"views", r.views.size()},
             {"share_complete", r.over_views.share_complete},
+            {"median_singular_px", finite(r.over_views.median_singular_px)},
             {"least_singular_px", r.over_views.least_singular_px},
             {"degrees_of_freedom", freedoms_json(r)},
             {"marks", marks_json(r)},
             {"look_alikes", symmetries_json(r)},
             {"one_more_mark", advice_json(r)}};
+  if (r.over_views.share_complete > 0) json["least_singular_view"] = to_json(r.views[r.over_views.least_singular_view]);
+  if (r.at_start) json["singular_px_at_q0"] = r.start_singular_px;
   return json.dump(2) + '\n';
 }
 

@@ -1,8 +1,9 @@
 #include "tools/report/marks.hpp"
 
+#include <cmath>
 #include <cstddef>
 
-#include "core/math/so3.hpp"
+#include "tools/modelgen/reduce.hpp"
 
 namespace articam::report {
 namespace {
@@ -40,9 +41,8 @@ std::vector<Pose<double>> place_bodies(const modelgen::Table& table, const Vecto
   for (std::size_t i = 0; i < table.joints.size(); ++i) {
     const modelgen::TableJoint& joint = table.joints[i];
     const Vec3 step = joint.axis * (joint.ratio * joints[values[i]] + joint.offset);
-    const Pose<double> moved = slides(joint) ? Pose<double>{Quat<double>::Identity(), step}
-                                             : Pose<double>{math::exp_so3<double>(step), Vec3::Zero()};
-    T_obj_body.push_back(parent_pose(T_obj_body, joint.parent) * joint.T_parent_joint * moved);
+    T_obj_body.push_back(parent_pose(T_obj_body, joint.parent) * joint.T_parent_joint *
+                         modelgen::displacement(slides(joint), step));
   }
   return T_obj_body;
 }
@@ -65,6 +65,11 @@ Marks place_marks(const modelgen::Table& table, const VectorX& joints) {
     }
   }
   return marks;
+}
+
+Vec3 perpendicular(const Vec3& n) {
+  const Vec3 axis = std::abs(n.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  return (axis - axis.dot(n) * n).normalized();
 }
 
 }  // namespace articam::report

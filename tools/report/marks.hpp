@@ -24,4 +24,10 @@ std::vector<Pose<double>> place_bodies(const modelgen::Table& table, const Vecto
 
 Marks place_marks(const modelgen::Table& table, const VectorX& joints);
 
+/// Whether a camera can see it: a point of interest has no mark.
+inline bool is_mark(const modelgen::TableMarker& marker) { return marker.kind != model::MarkerKind::point; }
+
+/// A unit vector across a unit vector, along {obj}'s x where that goes.
+Vec3 perpendicular(const Vec3& n);
+
 }  // namespace articam::report

@@ -9,25 +9,20 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Every view with what it shows.
+/// A view with what it shows.
 struct Looked {
   std::vector<Sight> sights;
   Bound all;
 };
 
-std::vector<Looked> look_everywhere(const modelgen::Table& table, const std::vector<View>& views,
-                                    const Conditions& conditions) {
-  std::vector<Looked> looked;
-  for (const View& view : views) {
-    Looked one{look(table, view, conditions.camera), {}};
-    one.all = bound(one.sights, conditions.noise_px);
-    looked.push_back(std::move(one));
-  }
+Looked look_at_all(const modelgen::Table& table, const View& view, const Conditions& conditions) {
+  Looked looked{look(table, view, conditions.camera), {}};
+  looked.all = bound(looked.sights, known_beforehand(table), conditions.noise_px);
   return looked;
 }
 
-Freedom judge(const std::vector<Looked>& looked, std::size_t i, const std::string& name, bool is_metres) {
-  Freedom freedom{name, is_metres, 0, 0, kNaN, kNaN, 0, 0};
+Freedom judge(const std::vector<Looked>& looked, std::size_t i, const std::string& name, bool metres) {
+  Freedom freedom{name, metres, 0, 0, kNaN, kNaN, 0, 0};
   std::vector<double> deviations;
   const auto at = static_cast<Eigen::Index>(i);
   for (std::size_t v = 0; v < looked.size(); ++v) {
@@ -48,37 +43,102 @@ Freedom judge(const std::vector<Looked>& looked, std::size_t i, const std::strin
   return freedom;
 }
 
-Loss judge_loss(const modelgen::Table& table, const std::vector<Looked>& looked, std::size_t m, double noise_px) {
-  const std::vector<std::string> names = freedom_names(table);
-  Loss loss{table.markers[m].name, 0, {}, "", 1};
-  std::vector<bool> without(table.markers.size(), true);
-  without[m] = false;
-  std::vector<double> blinded(names.size());
-  std::vector<std::vector<double>> growth(names.size());
+std::vector<bool> all_but(const modelgen::Table& table, std::size_t m) {
+  std::vector<bool> use(table.markers.size(), true);
+  use[m] = false;
+  return use;
+}
+
+/// How often, and why not, a mark is seen.
+void count_sightings(const std::vector<Looked>& looked, std::size_t m, Loss& loss) {
+  const double one = 1 / static_cast<double>(looked.size());
   for (const Looked& view : looked) {
-    if (!view.sights[m].seen) continue;
-    ++loss.num_views;
-    const Bound rest = bound(view.sights, without, noise_px);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!view.all.observed[i]) continue;
-      const auto at = static_cast<Eigen::Index>(i);
-      if (!rest.observed[i]) {
-        blinded[i] += 1;
-      } else {
-        growth[i].push_back(rest.deviation[at] / view.all.deviation[at]);
-      }
+    switch (view.sights[m].sighting) {
+      case Sighting::seen:
+        loss.share_seen += one;
+        break;
+      case Sighting::outside_picture:
+        loss.share_outside_picture += one;
+        break;
+      case Sighting::turned_away:
+        loss.share_turned_away += one;
+        break;
+      case Sighting::too_small:
+        loss.share_too_small += one;
+        break;
     }
   }
-  const std::size_t first = names.size() > 6 ? 6 : 0;  // joints are what it is about
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool is_blinded = 2 * blinded[i] > static_cast<double>(loss.num_views);
-    if (is_blinded) loss.blinded.push_back(names[i]);
+}
+
+/// The degree of freedom whose deviation grows most, where it is observed with and without.
+void find_growth(const std::vector<std::string>& names, const std::vector<std::vector<double>>& growth, Loss& loss) {
+  for (std::size_t i = names.size() > 6 ? 6 : 0; i < names.size(); ++i) {  // joints are what it is about
     const double factor = median(growth[i]);
-    if (is_blinded || i < first || !(factor > loss.growth)) continue;
+    if (!(factor > loss.growth)) continue;
     loss.growth = factor;
     loss.worst_grown = names[i];
   }
+}
+
+Loss judge_loss(const modelgen::Table& table, const std::vector<Looked>& looked, std::size_t m, double noise_px) {
+  const std::vector<std::string> names = freedom_names(table);
+  const std::vector<bool> without = all_but(table, m);
+  const VectorX beforehand = known_beforehand(table);
+  Loss loss;
+  loss.marker = table.markers[m].name;
+  count_sightings(looked, m, loss);
+  std::vector<Blinded> counts(names.size());
+  std::vector<std::vector<double>> growth(names.size());
+  std::vector<double> singular;
+  for (const Looked& view : looked) {
+    if (!view.sights[m].seen()) continue;
+    const Bound rest = bound(view.sights, without, beforehand, noise_px);
+    singular.push_back(least_singular_px(view.sights, without, table));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!view.all.observed[i]) continue;
+      ++counts[i].num_with;
+      if (!rest.observed[i]) continue;
+      ++counts[i].num_without;
+      const auto at = static_cast<Eigen::Index>(i);
+      growth[i].push_back(rest.deviation[at] / view.all.deviation[at]);
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    counts[i].name = names[i];
+    if (counts[i].num_without < counts[i].num_with) loss.blinded.push_back(counts[i]);
+  }
+  find_growth(names, growth, loss);
+  if (!singular.empty()) loss.least_singular_px = median(singular);
   return loss;
+}
+
+/// What is observed at q0 with the mark and not without.
+std::vector<std::string> lost_at_start(const modelgen::Table& table, const Looked& start, std::size_t m,
+                                       double noise_px) {
+  const Bound rest = bound(start.sights, all_but(table, m), known_beforehand(table), noise_px);
+  const std::vector<std::string> names = freedom_names(table);
+  std::vector<std::string> lost;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (start.all.observed[i] && !rest.observed[i]) lost.push_back(names[i]);
+  }
+  return lost;
+}
+
+/// Over all views: how many are complete, and how the worst seen direction fares.
+void summarise(const modelgen::Table& table, const std::vector<Looked>& looked, Observability& result) {
+  const std::vector<bool> use(table.markers.size(), true);
+  std::vector<double> singular;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < looked.size(); ++v) {
+    singular.push_back(least_singular_px(looked[v].sights, use, table));
+    if (!looked[v].all.complete()) continue;
+    result.share_complete += 1 / static_cast<double>(looked.size());
+    if (singular.back() >= least) continue;
+    least = singular.back();
+    result.least_singular_view = v;
+  }
+  result.median_singular_px = median(singular);
+  result.least_singular_px = std::isfinite(least) ? least : 0;
 }
 
 }  // namespace
@@ -96,29 +156,22 @@ std::vector<std::string> freedom_names(const modelgen::Table& table) {
   return names;
 }
 
-Observability observe(const modelgen::Table& table, const std::vector<View>& views, const Conditions& conditions) {
-  const std::vector<Looked> looked = look_everywhere(table, views, conditions);
+Observability observe(const modelgen::Table& table, const std::vector<View>& views, const View* start,
+                      const Conditions& conditions) {
+  std::vector<Looked> looked;
+  for (const View& view : views) looked.push_back(look_at_all(table, view, conditions));
   const std::vector<std::string> names = freedom_names(table);
-  const auto values = table.values();
   Observability result;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool is_metres = i < 3 || (i >= 6 && values[i - 6]->kind == model::JointKind::prismatic);
-    result.freedoms.push_back(judge(looked, i, names[i], is_metres));
+    result.freedoms.push_back(judge(looked, i, names[i], is_metres(table, i)));
   }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t v = 0; v < looked.size(); ++v) {
-    const Bound& all = looked[v].all;
-    if (!std::all_of(all.observed.begin(), all.observed.end(), [](bool b) { return b; })) continue;
-    result.share_complete += 1 / static_cast<double>(looked.size());
-    const double here = least_singular_px(looked[v].sights, table);
-    if (here >= least) continue;
-    least = here;
-    result.least_singular_view = v;
-  }
-  result.least_singular_px = std::isfinite(least) ? least : 0;
+  summarise(table, looked, result);
   for (std::size_t m = 0; m < table.markers.size(); ++m) {
-    if (table.markers[m].kind == model::MarkerKind::point) continue;
+    if (!is_mark(table.markers[m])) continue;
     result.losses.push_back(judge_loss(table, looked, m, conditions.noise_px));
+    if (start == nullptr) continue;
+    const Looked at_start = look_at_all(table, *start, conditions);
+    result.losses.back().at_start = lost_at_start(table, at_start, m, conditions.noise_px);
   }
   return result;
 }

@@ -23,27 +23,38 @@ struct Freedom {
   double worst_dilution{};
 };
 
-/// What happens without one mark, in the views that see it.
+/// One degree of freedom without one mark, among the views that see the mark.
+struct Blinded {
+  std::string name;
+  std::size_t num_with{}, num_without{};  ///< views that observe it with the mark, and still without
+};
+
+/// What one mark is good for.
 struct Loss {
   std::string marker;
-  std::size_t num_views{};           ///< that see it
-  std::vector<std::string> blinded;  ///< degrees of freedom that more than half of these views observe only with it
-  std::string worst_grown;  ///< of the others, the joint (or, without joints, the base's number) that suffers most
-  double growth{1};         ///< median factor on its deviation
+  double share_seen{}, share_outside_picture{}, share_turned_away{}, share_too_small{};  ///< of the views
+  std::vector<Blinded> blinded;       ///< what fewer views observe without it
+  std::vector<std::string> at_start;  ///< what is observed at q0 with it only
+  std::string worst_grown;            ///< the joint (or, without joints, the number of the base) that suffers most
+  double growth{1};                   ///< median factor on its deviation, over the views that observe it either way
+  double least_singular_px{};         ///< median over the views that see it, without it
 };
 
 struct Observability {
   std::vector<Freedom> freedoms;  ///< tx ty tz rx ry rz of the base in {cam}, then the joint values
   std::vector<Loss> losses;       ///< one a mark
-  double least_singular_px{};     ///< over the views that observe everything; 0 where none does
+  double share_complete{};        ///< of the views: every degree of freedom observed
+  double median_singular_px{};    ///< of the least singular values of all views
+  double least_singular_px{};     ///< the least over the complete views; 0 where none is complete
   std::size_t least_singular_view{};
-  double share_complete{};  ///< of the views: every degree of freedom observed
 };
 
 /// Names of the degrees of freedom, in the order of a Bound.
 std::vector<std::string> freedom_names(const modelgen::Table& table);
 
-Observability observe(const modelgen::Table& table, const std::vector<View>& views, const Conditions& conditions);
+/// `start` is the view at q0, or null.
+Observability observe(const modelgen::Table& table, const std::vector<View>& views, const View* start,
+                      const Conditions& conditions);
 
 /// Of numbers that may be none: NaN then.
 double median(std::vector<double> numbers);

@@ -3,22 +3,15 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
 
 namespace articam::report {
 namespace {
 
 using modelgen::Table;
 using modelgen::TableMarker;
-
-bool is_mark(const TableMarker& marker) { return marker.kind != model::MarkerKind::point; }
-
-/// Of the marks at the middle of the joints' ranges: how far they are apart, their mean normal, their largest size.
-struct Layout {
-  double extent_m{0.1};
-  Vec3 normal{-Vec3::UnitZ()};
-  double diameter_m{0.05};
-  std::vector<Pose<double>> T_obj_body;
-};
 
 VectorX middle_joints(const Table& table) {
   const auto values = table.values();
@@ -29,23 +22,47 @@ VectorX middle_joints(const Table& table) {
   return joints;
 }
 
+/// The model at the middle of its joints' ranges.
+struct Layout {
+  Marks marks;
+  std::vector<Pose<double>> T_obj_body;
+  Vec3 normal{-Vec3::UnitZ()};  ///< mean of the marks'
+  TableMarker usual;            ///< of the kind and size that most marks have
+
+  Pose<double> pose(int body) const { return body < 0 ? Pose<double>{} : T_obj_body[static_cast<std::size_t>(body)]; }
+};
+
 Layout layout_of(const Table& table) {
   const VectorX joints = middle_joints(table);
-  const Marks marks = place_marks(table, joints);
-  Layout layout;
-  layout.T_obj_body = place_bodies(table, joints);
+  Layout layout{place_marks(table, joints), place_bodies(table, joints), -Vec3::UnitZ(), {}};
   Vec3 sum = Vec3::Zero();
+  std::map<std::tuple<model::MarkerKind, double, double>, int> counts;
+  int most = 0;
   for (std::size_t m = 0; m < table.markers.size(); ++m) {
-    if (!is_mark(table.markers[m])) continue;
-    sum += marks.normal[m];
-    layout.diameter_m = std::max(layout.diameter_m, table.markers[m].outer_diameter_m);
-    for (std::size_t k = 0; k < m; ++k) {
-      if (!is_mark(table.markers[k])) continue;
-      layout.extent_m = std::max(layout.extent_m, (marks.centre[m] - marks.centre[k]).norm());
-    }
+    const TableMarker& marker = table.markers[m];
+    if (!is_mark(marker)) continue;
+    sum += layout.marks.normal[m];
+    const int count = ++counts[{marker.kind, marker.outer_diameter_m, marker.inner_diameter_m}];
+    if (count <= most) continue;
+    most = count;
+    layout.usual = marker;
   }
   if (sum.norm() > 0.1) layout.normal = sum.normalized();
   return layout;
+}
+
+/// Largest distance of two marks of a body, or of all for body kAll.
+constexpr int kAll = -2;
+double extent_of(const Table& table, const Layout& layout, int body) {
+  double extent_m = 0;
+  for (std::size_t m = 0; m < table.markers.size(); ++m) {
+    for (std::size_t k = 0; k < m; ++k) {
+      const auto counts = [&](const TableMarker& mark) { return is_mark(mark) && (body == kAll || mark.body == body); };
+      if (!counts(table.markers[m]) || !counts(table.markers[k])) continue;
+      extent_m = std::max(extent_m, (layout.marks.centre[m] - layout.marks.centre[k]).norm());
+    }
+  }
+  return extent_m;
 }
 
 /// Where the pattern of a body is centred, and which way its marks face, in the body's frame.
@@ -64,14 +81,8 @@ Anchor anchor_of(const Table& table, const Layout& layout, int body) {
     ++count;
   }
   if (count > 0) anchor.place /= count;
-  const Pose<double> T = body < 0 ? Pose<double>{} : layout.T_obj_body[static_cast<std::size_t>(body)];
-  anchor.normal = sum.norm() > 0.1 ? Vec3(sum.normalized()) : Vec3(T.R.conjugate() * layout.normal);
+  anchor.normal = sum.norm() > 0.1 ? Vec3(sum.normalized()) : Vec3(layout.pose(body).R.conjugate() * layout.normal);
   return anchor;
-}
-
-Vec3 perpendicular(const Vec3& n) {
-  const Vec3 axis = std::abs(n.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
-  return (axis - axis.dot(n) * n).normalized();
 }
 
 /// Eight directions in the plane of the marks at three distances, and a step out of it either way.
@@ -80,7 +91,7 @@ std::vector<Vec3> pattern(const Anchor& anchor, double extent_m) {
   std::vector<Vec3> places;
   for (const double share : {0.25, 0.5, 1.0}) {
     for (int i = 0; i < 8; ++i) {
-      const double angle = i * 0.25 * 3.14159265358979;
+      const double angle = i * std::numbers::pi / 4;
       places.emplace_back(anchor.place + share * extent_m * (std::cos(angle) * x + std::sin(angle) * y));
     }
   }
@@ -89,78 +100,107 @@ std::vector<Vec3> pattern(const Anchor& anchor, double extent_m) {
 }
 
 /// As a link's mark would be written in the URDF.
-Candidate on_link(const Table& table, int body, const Vec3& place, const Vec3& normal) {
-  Pose<double> T_link_body;
-  Candidate candidate;
-  candidate.link = table.root_link;
-  if (body >= 0) {
-    const auto& joint = table.joints[static_cast<std::size_t>(body)];
-    candidate.link = joint.child_link;
-    T_link_body = joint.T_body_link.inverse();
-  }
-  candidate.place = T_link_body * place;
-  candidate.normal = T_link_body.R * normal;
-  candidate.body = body;
-  candidate.t_body_m = place;
-  candidate.normal_body = normal;
+Candidate on_link(const Table& table, const TableMarker& mark) {
+  Candidate candidate{table.root_link, "", mark.t_body_m, mark.normal, mark};
+  if (mark.body < 0) return candidate;
+  const auto& joint = table.joints[static_cast<std::size_t>(mark.body)];
+  const Pose<double> T_link_body = joint.T_body_link.inverse();
+  candidate.link = joint.child_link;
+  candidate.place = T_link_body * mark.t_body_m;
+  candidate.normal = T_link_body.R * mark.normal;
   return candidate;
 }
 
-bool is_free(const Table& table, const Candidate& candidate, double diameter_m) {
-  return std::none_of(table.markers.begin(), table.markers.end(), [&](const TableMarker& marker) {
-    return is_mark(marker) && marker.body == candidate.body &&
-           (marker.t_body_m - candidate.t_body_m).norm() < 1.5 * diameter_m;
-  });
+bool is_free(const Table& table, const Layout& layout, const Candidate& candidate) {
+  const Vec3 place = layout.pose(candidate.mark.body) * candidate.mark.t_body_m;
+  for (std::size_t m = 0; m < table.markers.size(); ++m) {
+    const double least_m = 1.5 * layout.usual.outer_diameter_m;
+    if (is_mark(table.markers[m]) && (layout.marks.centre[m] - place).norm() < least_m) return false;
+  }
+  return true;
 }
 
-TableMarker to_marker(const Candidate& candidate, double diameter_m) {
-  return {"candidate", model::MarkerKind::ring, candidate.body, candidate.t_body_m, candidate.normal_body,
-          diameter_m,  0.4 * diameter_m};
-}
-
-/// Every fifth view: places that differ do so in all of them, and there are many places.
+/// Every seventh view: that goes through all directions, whose number is no multiple of it.
 std::vector<View> some_of(const std::vector<View>& views) {
   std::vector<View> some;
-  for (std::size_t i = 0; i < views.size(); i += 5) some.push_back(views[i]);
+  for (std::size_t i = 0; i < views.size(); i += 7) some.push_back(views[i]);
   return some;
 }
 
-/// What is known beforehand: a joint lies within its limits, the object within some metres.
-VectorX prior_information(const Table& table) {
-  const auto values = table.values();
-  VectorX prior = VectorX::Constant(6 + static_cast<Eigen::Index>(values.size()), 0.01);  // 10 m, 10 rad
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    const double quarter = std::max(0.25 * (high_limit(*values[j]) - low_limit(*values[j])), 1e-6);
-    prior[static_cast<Eigen::Index>(6 + j)] = 1 / (quarter * quarter);
-  }
-  return prior;
+Table with_mark(const Table& table, const Candidate& candidate) {
+  Table more = table;
+  more.markers.push_back(candidate.mark);
+  return more;
 }
 
-/// Deviation of every joint (of the base's numbers where there is none) in every view.
-std::vector<std::vector<double>> deviations(const Table& table, const std::vector<View>& views,
-                                            const Conditions& conditions) {
-  const VectorX prior = prior_information(table);
-  const Eigen::Index first = prior.size() > 6 ? 6 : 0, n = prior.size();
-  const double weight = 1 / (conditions.noise_px * conditions.noise_px);
-  const std::vector<bool> all(table.markers.size(), true);
-  std::vector<std::vector<double>> result(static_cast<std::size_t>(n - first));
-  for (const View& view : views) {
-    MatrixX I = weight * information(look(table, view, conditions.camera), all);
-    I.diagonal() += prior;
+/// What is compared: the mean logarithm of all joints' deviations (of the base's, without joints), the knowledge of
+/// beforehand included. `known` has the views' information without the new mark.
+class Comparison {
+ public:
+  Comparison(const Table& table, const std::vector<View>& views, const Conditions& conditions)
+      : table_{table}, views_{some_of(views)}, conditions_{conditions}, beforehand_{known_beforehand(table)} {
+    const std::vector<bool> all(table.markers.size(), true);
+    for (const View& view : views_) known_.push_back(information(look(table, view, conditions.camera), all));
+  }
+
+  double without() const {
+    double sum = 0;
+    for (const MatrixX& known : known_) sum += log_deviation(known);
+    return sum / static_cast<double>(known_.size());
+  }
+
+  double with(const Candidate& candidate) const {
+    Table one = table_;
+    one.markers = {candidate.mark};
+    double sum = 0;
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      sum += log_deviation(known_[v] + information(look(one, views_[v], conditions_.camera), {true}));
+    }
+    return sum / static_cast<double>(known_.size());
+  }
+
+ private:
+  double log_deviation(const MatrixX& information_px) const {
+    const Eigen::Index n = beforehand_.size(), first = n > 6 ? 6 : 0;
+    MatrixX I = information_px / (conditions_.noise_px * conditions_.noise_px);
+    I.diagonal() += beforehand_.cwiseAbs2().cwiseInverse();
     const MatrixX covariance = I.ldlt().solve(MatrixX::Identity(n, n));
-    for (Eigen::Index i = first; i < n; ++i) {
-      result[static_cast<std::size_t>(i - first)].push_back(std::sqrt(covariance(i, i)));
+    return 0.5 * covariance.diagonal().tail(n - first).array().log().mean();
+  }
+
+  const Table& table_;
+  std::vector<View> views_;
+  const Conditions& conditions_;
+  VectorX beforehand_;
+  std::vector<MatrixX> known_;
+};
+
+std::vector<Effect> effects_of(const Table& table, const Candidate& candidate, const std::vector<View>& views,
+                               const Conditions& conditions) {
+  const Table more = with_mark(table, candidate);
+  const VectorX beforehand = known_beforehand(table);
+  const std::vector<std::string> names = freedom_names(table);
+  const std::size_t first = names.size() > 6 ? 6 : 0;
+  std::vector<Effect> effects;
+  for (std::size_t i = first; i < names.size(); ++i) effects.push_back({names[i], is_metres(table, i), 0, 0, 0, 0});
+  std::vector<std::vector<double>> without(effects.size()), with(effects.size());
+  for (const View& view : views) {
+    const Bound before = bound(look(table, view, conditions.camera), beforehand, conditions.noise_px);
+    const Bound after = bound(look(more, view, conditions.camera), beforehand, conditions.noise_px);
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      const double one = 1 / static_cast<double>(views.size());
+      effects[k].share_without += before.observed[first + k] ? one : 0;
+      effects[k].share_with += after.observed[first + k] ? one : 0;
+      if (!before.observed[first + k] || !after.observed[first + k]) continue;
+      without[k].push_back(before.deviation[static_cast<Eigen::Index>(first + k)]);
+      with[k].push_back(after.deviation[static_cast<Eigen::Index>(first + k)]);
     }
   }
-  return result;
-}
-
-double log_mean(const std::vector<std::vector<double>>& deviations) {
-  double sum = 0, count = 0;
-  for (const auto& joint : deviations) {
-    for (const double deviation : joint) sum += std::log(deviation), ++count;
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    effects[k].median_without = median(without[k]);
+    effects[k].median_with = median(with[k]);
   }
-  return count > 0 ? sum / count : 0;
+  return effects;
 }
 
 }  // namespace
@@ -168,42 +208,43 @@ double log_mean(const std::vector<std::vector<double>>& deviations) {
 std::vector<Candidate> candidates(const Table& table) {
   const Layout layout = layout_of(table);
   std::vector<Candidate> result;
+  const auto add = [&](int body, const Vec3& place, const Vec3& normal, const std::string& point) {
+    TableMarker mark = layout.usual;
+    mark.name = "one_more";
+    mark.body = body;
+    mark.t_body_m = place;
+    mark.normal = normal;
+    result.push_back(on_link(table, mark));
+    result.back().point = point;
+  };
   for (const TableMarker& marker : table.markers) {
-    if (is_mark(marker)) continue;
-    Candidate candidate = on_link(table, marker.body, marker.t_body_m, marker.normal);
-    candidate.name = marker.name;
-    result.push_back(candidate);
+    if (!is_mark(marker)) add(marker.body, marker.t_body_m, marker.normal, marker.name);
   }
   for (int body = -1; body < static_cast<int>(table.joints.size()); ++body) {
     const Anchor anchor = anchor_of(table, layout, body);
-    for (const Vec3& place : pattern(anchor, layout.extent_m)) {
-      result.push_back(on_link(table, body, place, anchor.normal));
-    }
+    const double own_m = extent_of(table, layout, body);
+    const double extent_m = own_m > 0 ? own_m : 0.5 * extent_of(table, layout, kAll);
+    for (const Vec3& place : pattern(anchor, extent_m)) add(body, place, anchor.normal, "");
   }
-  std::erase_if(result, [&](const Candidate& c) { return !is_free(table, c, layout.diameter_m); });
+  std::erase_if(result, [&](const Candidate& c) { return !is_free(table, layout, c); });
   return result;
 }
 
 std::vector<Advice> advise(const Table& table, const std::vector<View>& views, const Conditions& conditions,
                            std::size_t count) {
-  const double diameter_m = layout_of(table).diameter_m;
-  const std::vector<View> some = some_of(views);
-  const double without = log_mean(deviations(table, some, conditions));
+  const Comparison comparison(table, views, conditions);
+  const double without = comparison.without();
   std::vector<Advice> all;
   for (const Candidate& candidate : candidates(table)) {
-    Table more = table;
-    more.markers.push_back(to_marker(candidate, diameter_m));
-    const auto with = deviations(more, some, conditions);
-    Advice advice{candidate, {}, std::exp(without - log_mean(with))};
-    for (const auto& joint : with) advice.median_with.push_back(median(joint));
-    all.push_back(advice);
+    all.push_back({candidate, {}, std::exp(without - comparison.with(candidate))});
   }
   std::stable_sort(all.begin(), all.end(), [](const Advice& a, const Advice& b) { return a.gain > b.gain; });
   std::vector<Advice> best;
   for (const Advice& advice : all) {
-    const auto same_body = [&](const Advice& b) { return b.candidate.body == advice.candidate.body; };
+    const auto same_body = [&](const Advice& b) { return b.candidate.mark.body == advice.candidate.mark.body; };
     if (std::any_of(best.begin(), best.end(), same_body)) continue;
     best.push_back(advice);
+    best.back().effects = effects_of(table, advice.candidate, views, conditions);
     if (best.size() == count) break;
   }
   return best;

@@ -14,8 +14,8 @@ View start_view(const modelgen::Table& table) {
 }
 
 void count(const modelgen::UrdfModel& model, Report& report) {
-  report.num_links = model.links.size();
-  report.num_joints = model.joints.size();
+  report.num_links = model.num_links;
+  report.num_joints = model.num_joints;
   for (const auto& joint : model.joints) {
     const auto named = [&](const modelgen::TableJoint& row) { return row.name == joint.name; };
     const bool in_table = std::any_of(report.table.joints.begin(), report.table.joints.end(), named);
@@ -32,7 +32,7 @@ void count(const modelgen::UrdfModel& model, Report& report) {
 std::vector<Size> sizes(const modelgen::Table& table, const Conditions& conditions) {
   std::vector<Size> all;
   for (const auto& marker : table.markers) {
-    if (marker.kind == model::MarkerKind::point) continue;
+    if (!is_mark(marker)) continue;
     const double px_m = conditions.camera.fx_px * marker.outer_diameter_m;
     all.push_back({marker.name, px_m / conditions.min_range_m, px_m / conditions.max_range_m, px_m / kMinDiameter_px});
   }
@@ -50,10 +50,14 @@ Report make_report(const modelgen::CompiledModel& model, const Conditions& condi
   if (report.sizes.empty()) return report;  // nothing will be seen
   says("what is observed, over the views");
   report.views = sample_views(model.table, conditions);
-  report.over_views = observe(model.table, report.views, conditions);
+  std::optional<View> start;
   if (!model.table.q0.empty()) {
-    report.at_start = bound(look(model.table, start_view(model.table), conditions.camera), conditions.noise_px);
+    start = start_view(model.table);
+    const auto sights = look(model.table, *start, conditions.camera);
+    report.at_start = bound(sights, known_beforehand(model.table), conditions.noise_px);
+    report.start_singular_px = least_singular_px(sights, std::vector<bool>(sights.size(), true), model.table);
   }
+  report.over_views = observe(model.table, report.views, start ? &*start : nullptr, conditions);
   says("layouts that look alike");
   report.symmetries = find_symmetries(model.table);
   says("places for one more mark");

@@ -21,11 +21,13 @@ struct Size {
 
 struct Report {
   modelgen::Table table;
-  std::size_t num_links{}, num_joints{}, num_mimics{}, num_fixed{}, num_left_out{};
+  std::size_t num_links{}, num_joints{};                  ///< as the file has them
+  std::size_t num_mimics{}, num_fixed{}, num_left_out{};  ///< of the joints, planar and floating ones in their parts
   Conditions conditions;
   std::vector<View> views;
   Observability over_views;
   std::optional<Bound> at_start;  ///< at q0, where the markers file gives one
+  double start_singular_px{};     ///< least singular value there
   std::vector<Symmetry> symmetries;
   std::vector<Size> sizes;
   std::vector<Advice> advice;

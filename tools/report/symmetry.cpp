@@ -17,7 +17,6 @@ using modelgen::Table;
 using Permutation = std::vector<std::size_t>;
 
 constexpr int kMaxIterations = 12;
-constexpr std::size_t kMaxSymmetries = 8;
 const double kMinCosine = std::cos(30 * std::numbers::pi / 180);
 
 /// Joint values at a share of their limits; `spread` makes the shares of several joints differ.
@@ -54,7 +53,7 @@ class Search {
   Search(const Table& table, const VectorX& joints)
       : table_{table}, first_{place_marks(table, joints)}, joints_{joints} {
     for (std::size_t m = 0; m < table.markers.size(); ++m) {
-      if (table.markers[m].kind != model::MarkerKind::point) marks_.push_back(m);
+      if (is_mark(table.markers[m])) marks_.push_back(m);
     }
     for (const std::size_t m : marks_) {
       for (const std::size_t k : marks_) extent_m_ = std::max(extent_m_, (first_.centre[m] - first_.centre[k]).norm());
@@ -64,8 +63,7 @@ class Search {
   std::vector<Symmetry> run() {
     if (marks_.size() < 2) return {};
     const auto [i, j] = widest_pair();
-    for (const VectorX& guess : {joints_, joints_at(table_, 0, 0), joints_at(table_, 0.5, 0), joints_at(table_, 1, 0),
-                                 joints_at(table_, 0.9, -0.8)}) {
+    for (const VectorX& guess : guesses()) {
       const Marks second = place_marks(table_, guess);
       for (const std::size_t a : marks_) {
         for (const std::size_t b : marks_) {
@@ -80,6 +78,23 @@ class Search {
   }
 
  private:
+  /// Where the second configuration is sought: here and there in the limits, and a whole turn of a joint away.
+  std::vector<VectorX> guesses() const {
+    std::vector<VectorX> all{joints_, joints_at(table_, 0, 0), joints_at(table_, 0.5, 0), joints_at(table_, 1, 0),
+                             joints_at(table_, 0.9, -0.8)};
+    const auto values = table_.values();
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      if (values[j]->kind != model::JointKind::revolute) continue;
+      for (const double turn : {-2 * std::numbers::pi, 2 * std::numbers::pi}) {
+        VectorX turned = joints_;
+        turned[static_cast<Eigen::Index>(j)] += turn;
+        const double value = turned[static_cast<Eigen::Index>(j)];
+        if (value >= low_limit(*values[j]) && value <= high_limit(*values[j])) all.push_back(turned);
+      }
+    }
+    return all;
+  }
+
   bool alike(std::size_t m, std::size_t k) const {
     const auto &a = table_.markers[m], &b = table_.markers[k];
     return a.kind == b.kind && a.outer_diameter_m == b.outer_diameter_m && a.inner_diameter_m == b.inner_diameter_m;
@@ -127,22 +142,32 @@ class Search {
     return most;
   }
 
-  /// One Gauss-Newton step of the rigid motion and the second joint values.
-  void step(const Permutation& to, const Marks& second, Pose<double>& T, VectorX& joints) const {
-    const Eigen::Index n = 6 + joints.size();
-    MatrixX H = 1e-9 * MatrixX::Identity(n, n);
-    VectorX g = VectorX::Zero(n);
+  struct Normal {
+    MatrixX H;
+    VectorX g;
+  };
+
+  /// Of the distances of marks that should coincide; the unknowns are the rigid motion and the second joint values.
+  Normal normal_equations(const Permutation& to, const Marks& second, const Pose<double>& T) const {
+    const Eigen::Index joints = joints_.size(), n = 6 + joints;
+    Normal normal{1e-9 * MatrixX::Identity(n, n), VectorX::Zero(n)};
     for (const std::size_t m : marks_) {
       const Vec3 arm = T.R * first_.centre[m];
       const Vec3 e = arm + T.t - second.centre[to[m]];
       Eigen::Matrix<double, 3, Eigen::Dynamic> J(3, n);
       J.leftCols<3>().setIdentity();
       J.middleCols<3>(3) = -math::hat<double>(arm);
-      J.rightCols(joints.size()) = -second.velocity[to[m]];
-      H += J.transpose() * J;
-      g += J.transpose() * e;
+      J.rightCols(joints) = -second.velocity[to[m]];
+      normal.H += J.transpose() * J;
+      normal.g += J.transpose() * e;
     }
-    const VectorX d = H.ldlt().solve(-g);
+    return normal;
+  }
+
+  /// One Gauss-Newton step of the rigid motion and the second joint values.
+  void step(const Permutation& to, const Marks& second, Pose<double>& T, VectorX& joints) const {
+    const Normal normal = normal_equations(to, second, T);
+    const VectorX d = normal.H.ldlt().solve(-normal.g);
     T.t += d.head<3>();
     T.R = (math::exp_so3<double>(Vec3(d.segment<3>(3))) * T.R).normalized();
     joints = (joints + d.tail(joints.size())).cwiseMax(joints_at(table_, 0, 0)).cwiseMin(joints_at(table_, 1, 0));
@@ -158,19 +183,40 @@ class Search {
     }
     if (!to) return;
     const double residual_m = largest_distance(T, second, *to);
-    if (residual_m > kCoincidence * extent_m_ || is_identity(*to) || is_known(*to)) return;
-    const double turn_rad = 2 * std::acos(std::min(1.0, std::abs(T.R.w())));
-    found_.push_back({*to, joints_, joints, turn_rad * 180 / std::numbers::pi, residual_m});
+    Symmetry found{*to, joints_, joints, math::log_so3<double>(T.R), residual_m};
+    if (residual_m > kCoincidence * extent_m_ || is_known(found)) return;
+    if (!found.needs_identities() && (is_where_it_was(T, joints) || !is_isolated(*to, T, second))) return;
+    found_.push_back(found);
   }
 
-  static bool is_identity(const Permutation& to) {
-    for (std::size_t m = 0; m < to.size(); ++m) {
-      if (to[m] != m) return false;
+  /// The first configuration again: a joint that turns without limits comes back after a whole turn.
+  bool is_where_it_was(const Pose<double>& T, const VectorX& joints) const {
+    constexpr double kNear = 1e-3;  // m or rad
+    const auto values = table_.values();
+    double most = std::max(T.t.norm(), math::log_so3<double>(T.R).norm());
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      double way = std::abs(joints[static_cast<Eigen::Index>(j)] - joints_[static_cast<Eigen::Index>(j)]);
+      if (values[j]->kind == model::JointKind::continuous) way = std::abs(std::remainder(way, 2 * std::numbers::pi));
+      most = std::max(most, way);
     }
-    return true;
+    return most < kNear;
   }
-  bool is_known(const Permutation& to) const {
-    return std::any_of(found_.begin(), found_.end(), [&](const Symmetry& s) { return s.takes_place_of == to; });
+
+  /// Whether the second configuration is one of its own, and not one of a family along which no mark moves.
+  bool is_isolated(const Permutation& to, const Pose<double>& T, const Marks& second) const {
+    constexpr double kMoves_m2 = 1e-7;  // squared, of all marks per rad: a third of a millimetre
+    const Normal normal = normal_equations(to, second, T);
+    if (normal.H.diagonal().minCoeff() < kMoves_m2) return false;
+    const VectorX scale = normal.H.diagonal().cwiseSqrt().cwiseInverse();
+    const MatrixX scaled = scale.asDiagonal() * normal.H * scale.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<MatrixX>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] > 1e-5;
+  }
+
+  bool is_known(const Symmetry& found) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const Symmetry& s) {
+      return s.takes_place_of == found.takes_place_of &&
+             (found.needs_identities() || (s.other_joints - found.other_joints).norm() < 1e-3);
+    });
   }
 
   const Table& table_;
@@ -183,11 +229,20 @@ class Search {
 
 }  // namespace
 
+bool Symmetry::needs_identities() const {
+  for (std::size_t m = 0; m < takes_place_of.size(); ++m) {
+    if (takes_place_of[m] != m) return true;
+  }
+  return false;
+}
+
 std::vector<Symmetry> find_symmetries(const Table& table) {
   std::vector<Symmetry> all = Search(table, joints_at(table, 0.3, 0.4)).run();
   if (table.values().empty()) return all;
   for (const Symmetry& closed : Search(table, joints_at(table, 0, 0)).run()) {
-    const auto same = [&](const Symmetry& s) { return s.takes_place_of == closed.takes_place_of; };
+    const auto same = [&](const Symmetry& s) {
+      return closed.needs_identities() && s.takes_place_of == closed.takes_place_of;
+    };
     if (std::none_of(all.begin(), all.end(), same)) all.push_back(closed);
   }
   return all;

@@ -41,6 +41,10 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
+bool is_of_base(const std::string& name) {
+  return name == "tx" || name == "ty" || name == "tz" || name == "rx" || name == "ry" || name == "rz";
+}
+
 std::string head_text(const Report& r) {
   const Conditions& c = r.conditions;
   const std::size_t values = r.table.values().size();
@@ -64,115 +68,183 @@ std::string head_text(const Report& r) {
 std::string sizes_text(const Report& r) {
   std::vector<std::vector<std::string>> rows{{"mark", fmt::format("at {:.2f} m", r.conditions.min_range_m),
                                               fmt::format("at {:.2f} m", r.conditions.max_range_m),
-                                              fmt::format("{:.0f} px up to", kMinDiameter_px), ""}};
-  for (const Size& s : r.sizes) {
+                                              fmt::format("{:.0f} px up to", kMinDiameter_px), "seen",
+                                              "off the picture", "turned away", "too small", ""}};
+  for (std::size_t i = 0; i < r.sizes.size(); ++i) {
+    const Size& s = r.sizes[i];
+    const Loss& l = r.over_views.losses[i];
     const bool small = s.farthest_px < kMinDiameter_px;
     rows.push_back({s.marker, fmt::format("{:.0f} px", s.nearest_px), fmt::format("{:.0f} px", s.farthest_px),
-                    fmt::format("{:.2f} m", s.max_range_m), small ? "TOO SMALL for the range" : ""});
+                    fmt::format("{:.2f} m", s.max_range_m), percent(l.share_seen), percent(l.share_outside_picture),
+                    percent(l.share_turned_away), percent(l.share_too_small), small ? "TOO SMALL for the range" : ""});
   }
-  return "\nMarks: how large they appear, face to face\n" + table_text(rows);
+  return fmt::format("\nMarks: how large they appear, face to face, and what becomes of them in {} views\n",
+                     r.views.size()) +
+         table_text(rows);
 }
 
-/// `weak` as a warning where a joint, or a number of the base, is far from what its marks could tell.
+/// A warning where a number is never known, or a joint far worse than its marks could tell.
 std::string verdict(const Freedom& f, bool is_joint) {
   if (f.share_observed == 0) return "NEVER OBSERVED";
   return is_joint && f.worst_dilution > kWeakDilution ? "WEAK in " + percent(f.share_weak) : "";
+}
+
+std::string start_text(const Report& r, std::size_t i) {
+  if (!r.at_start) return "-";
+  if (!r.at_start->observed[i]) return "NOT OBSERVED";
+  const auto at = static_cast<Eigen::Index>(i);
+  const bool weak = i >= 6 && r.at_start->dilution[at] > kWeakDilution;
+  return amount(r.at_start->deviation[at], r.over_views.freedoms[i].is_metres) + (weak ? " WEAK" : "");
+}
+
+std::string worst_views_text(const Report& r) {
+  std::string text;
+  const auto& all = r.over_views.freedoms;
+  for (std::size_t i = 6; i < all.size(); ++i) {
+    if (!(all[i].worst_dilution > kWeakDilution)) continue;
+    text += fmt::format(
+        "  {} is worst at {}:\n    {:.0f} times less certain than its marks could tell across the line of sight\n",
+        all[i].name, describe(r.views[all[i].worst_view], r.table, i - 6), all[i].worst_dilution);
+  }
+  return text;
+}
+
+std::string singular_text(const Report& r) {
+  const Observability& o = r.over_views;
+  std::string text = fmt::format(
+      "  Everything is observed in {} of the views. Least singular value, px a step of 1 cm or 1 deg: median {:.3g}",
+      percent(o.share_complete), o.median_singular_px);
+  if (r.at_start) text += fmt::format(", at q0 {:.3g}", r.start_singular_px);
+  if (o.share_complete == 0) return text + "\n";
+  return text + fmt::format(",\n    least of those views {:.3g} at {}\n", o.least_singular_px,
+                            describe(r.views[o.least_singular_view], r.table));
 }
 
 std::string freedoms_text(const Report& r) {
   std::vector<std::vector<std::string>> rows{{"", "observed", "median", "worst", "at q0", ""}};
   const auto& all = r.over_views.freedoms;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Freedom& f = all[i];
-    std::string start = "-";
-    if (r.at_start) {
-      const auto at = static_cast<Eigen::Index>(i);
-      start = r.at_start->observed[i] ? amount(r.at_start->deviation[at], f.is_metres) : "not observed";
-      if (i >= 6 && r.at_start->dilution[at] > kWeakDilution && r.at_start->observed[i]) start += " WEAK";
-    }
-    rows.push_back({f.name, percent(f.share_observed), amount(f.median, f.is_metres), amount(f.worst, f.is_metres),
-                    start, verdict(f, i >= 6)});
+    rows.push_back({all[i].name, percent(all[i].share_observed), amount(all[i].median, all[i].is_metres),
+                    amount(all[i].worst, all[i].is_metres), start_text(r, i), verdict(all[i], i >= 6)});
   }
-  std::string text = fmt::format(
-      "\nDegrees of freedom over {} views: share of the views that observe them, standard deviation\n"
-      "(tx ty tz rx ry rz: the base in the camera's frame)\n",
-      r.views.size());
-  text += table_text(rows);
-  for (std::size_t i = 6; i < all.size(); ++i) {
-    if (!(all[i].worst_dilution > kWeakDilution)) continue;
-    text += fmt::format(
-        "  {} is worst at {}:\n    {:.0f} times less certain than its marks could tell across the line of sight\n",
-        all[i].name, describe(r.views[all[i].worst_view], r.table), all[i].worst_dilution);
+  return "\nDegrees of freedom: share of the views that observe them, standard deviation there\n"
+         "(tx ty tz rx ry rz: the base in the camera's frame, rotation vector)\n" +
+         table_text(rows) + worst_views_text(r) + singular_text(r);
+}
+
+/// What fewer views observe without a mark, joints first.
+std::string blinded_text(const Loss& loss) {
+  constexpr std::size_t kMost = 4;
+  std::vector<Blinded> blinded = loss.blinded;
+  std::stable_partition(blinded.begin(), blinded.end(), [](const Blinded& b) { return !is_of_base(b.name); });
+  std::string text;
+  for (std::size_t k = 0; k < std::min(blinded.size(), kMost); ++k) {
+    const Blinded& b = blinded[k];
+    text += k == 0 ? "" : ", ";
+    text += b.num_without == 0 ? b.name + " NOT OBSERVED"
+                               : fmt::format("{} in {} of {} views", b.name, b.num_without, b.num_with);
   }
-  text += fmt::format("  All of them are observed in {} of the views", percent(r.over_views.share_complete));
-  if (r.over_views.share_complete == 0) return text + ".\n";
-  return text + fmt::format("; there the least singular value is {:.3g} px a step of 1 cm, 1 deg,\n    at {}.\n",
-                            r.over_views.least_singular_px,
-                            describe(r.views[r.over_views.least_singular_view], r.table));
+  return blinded.size() > kMost ? fmt::format("{} and {} more", text, blinded.size() - kMost) : text;
 }
 
 std::string losses_text(const Report& r) {
-  std::vector<std::vector<std::string>> rows;
+  std::string text = "\nWithout one mark, in the views that see it\n";
   for (const Loss& loss : r.over_views.losses) {
-    std::vector<std::string> row{loss.marker};
-    if (loss.num_views == 0) {
-      row.emplace_back("is seen in none of the views");
-    } else if (!loss.blinded.empty()) {
-      row.push_back(fmt::format("NOT OBSERVED without it: {}", fmt::join(loss.blinded, " ")));
-    } else {
-      row.emplace_back("nothing is lost");
+    text += fmt::format("  {}: ", loss.marker);
+    if (loss.share_seen == 0) {
+      text += "seen in none of the views\n";
+      continue;
     }
-    if (loss.growth > 1.005) row.push_back(fmt::format("{} {:.2f} times less certain", loss.worst_grown, loss.growth));
-    rows.push_back(row);
+    text += loss.blinded.empty() ? "nothing is lost" : "less is observed";
+    if (loss.growth > 1.005) text += fmt::format("; {} {:.2f} times less certain", loss.worst_grown, loss.growth);
+    text += fmt::format("; least singular value {:.3g} px\n", loss.least_singular_px);
+    if (!loss.blinded.empty()) text += fmt::format("    {}\n", blinded_text(loss));
+    if (!loss.at_start.empty()) text += fmt::format("    NOT OBSERVED at q0: {}\n", fmt::join(loss.at_start, " "));
   }
-  return "\nWithout one mark\n" + table_text(rows);
+  return text;
 }
 
-std::string joints_text(const Report& r, const VectorX& joints) {
-  std::string text;
-  const auto values = r.table.values();
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    text += fmt::format(" {} {:.3g}", values[j]->name, joints[static_cast<Eigen::Index>(j)]);
+std::string three(const Vec3& v, double unit, int digits) {
+  const Vec3 w = v.unaryExpr([=](double x) { return std::round(x / unit) * unit + 0.0; });  // no -0
+  return fmt::format("{:.{}f} {:.{}f} {:.{}f}", w.x(), digits, w.y(), digits, w.z(), digits);
+}
+
+std::string turn_text(const Symmetry& s) {
+  const double turn_deg = s.turn_rad.norm() * 180 / std::numbers::pi;
+  if (turn_deg < 0.1) return "the base where it is";
+  return fmt::format("the base turned by {:.0f} deg about ({})", turn_deg, three(s.turn_rad.normalized(), 0.01, 2));
+}
+
+/// Which mark lies on which other.
+std::string exchange_text(const Symmetry& s, const modelgen::Table& table) {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> pairs;
+  for (std::size_t m = 0; m < s.takes_place_of.size(); ++m) {
+    if (s.takes_place_of[m] == m) continue;
+    pairs.push_back(fmt::format("{}->{}", table.markers[m].name, table.markers[s.takes_place_of[m]].name));
   }
-  return text.empty() ? "" : " at" + text;
+  const std::size_t shown = std::min(pairs.size(), kMost);
+  const std::string more = pairs.size() > kMost ? fmt::format(" and {} more", pairs.size() - kMost) : "";
+  const auto end = pairs.begin() + static_cast<std::ptrdiff_t>(shown);
+  return fmt::format("    marks change places: {}{}\n", fmt::join(pairs.begin(), end, " "), more);
 }
 
 std::string symmetries_text(const Report& r) {
-  std::string text = "\nLook-alikes, if marks carry no identities\n";
-  if (r.symmetries.empty()) return text + "  none found: no other configuration puts the marks where they are\n";
+  std::string text = "\nLook-alikes: other configurations that put marks of the same kind and size where these are\n";
+  if (r.symmetries.empty()) return text + "  none found (searched, not proven)\n";
   for (const Symmetry& s : r.symmetries) {
-    text += fmt::format("  AMBIGUOUS{}: the base turned by {:.0f} deg{} looks the same ({:.1f} mm off)\n   ",
-                        joints_text(r, s.joints), s.turn_deg, joints_text(r, s.other_joints), 1e3 * s.residual_m);
-    for (std::size_t m = 0; m < s.takes_place_of.size(); ++m) {
-      if (s.takes_place_of[m] == m) continue;
-      text += fmt::format(" {}->{}", r.table.markers[m].name, r.table.markers[s.takes_place_of[m]].name);
+    const std::string at = describe_joints(s.joints, r.table), other = describe_joints(s.other_joints, r.table);
+    const double nearest_px = s.residual_m * r.conditions.camera.fx_px / r.conditions.min_range_m;
+    text += fmt::format("  {}: {}, {:.1f} mm or {:.1f} px off at {:.2f} m\n",
+                        nearest_px < 1 ? "AMBIGUOUS" : "NEARLY AMBIGUOUS", turn_text(s), 1e3 * s.residual_m, nearest_px,
+                        r.conditions.min_range_m);
+    if (!at.empty()) text += fmt::format("    at {}\n    as {}\n", at, other);
+    if (!s.needs_identities()) {
+      text += "    even if marks carried identities\n";
+      continue;
     }
-    text += '\n';
+    text += exchange_text(s, r.table);
   }
+  if (r.symmetries.size() >= kMaxSymmetries) text += "  There may be more: the search stops here.\n";
   return text + "  A q0 in the markers file decides which is meant; better, move a mark, or give one another size.\n";
 }
 
 /// The angles that turn +z to the normal.
 std::string rpy(const Vec3& normal) {
   const double roll = -std::asin(std::clamp(normal.y(), -1.0, 1.0)), pitch = std::atan2(normal.x(), normal.z());
-  return fmt::format("{:.4f} {:.4f} 0", roll + 0.0, pitch + 0.0);
+  return three(Vec3(roll, pitch, 0), 1e-6, 6);
+}
+
+std::string kind_text(const modelgen::TableMarker& mark) {
+  const double diameter_mm = 1e3 * mark.outer_diameter_m;
+  if (mark.kind == model::MarkerKind::ring) return fmt::format("ring of {:.3g} mm", diameter_mm);
+  return fmt::format("{} dot of {:.3g} mm", mark.kind == model::MarkerKind::dot_light_on_dark ? "light" : "dark",
+                     diameter_mm);
+}
+
+std::string effect_text(const Effect& e) {
+  std::string text = fmt::format("    {}: ", e.name);
+  if (e.share_with > e.share_without + 1e-9) {
+    text += fmt::format("observed in {} instead of {} of the views", percent(e.share_with), percent(e.share_without));
+    if (std::isfinite(e.median_with)) text += ", ";
+  }
+  if (!std::isfinite(e.median_with)) return text + '\n';
+  return text + fmt::format("median {} instead of {}\n", amount(e.median_with, e.is_metres),
+                            amount(e.median_without, e.is_metres));
 }
 
 std::string advice_text(const Report& r) {
+  constexpr std::size_t kMost = 8;
   std::string text = "\nOne more mark, where it would help most (see yourself whether the object is there)\n";
-  const auto values = r.table.values();
   for (const Advice& a : r.advice) {
-    const Vec3& p = a.candidate.place;
-    const std::string where = a.candidate.name.empty() ? "" : fmt::format(" (--poi {})", a.candidate.name);
-    text +=
-        fmt::format("  on link {}{}: <origin xyz=\"{:.3f} {:.3f} {:.3f}\" rpy=\"{}\"/>, {:.2f} times more certain\n",
-                    a.candidate.link, where, p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, rpy(a.candidate.normal), a.gain);
-    for (std::size_t j = 0; j < values.size() && j < 8; ++j) {
-      const Freedom& f = r.over_views.freedoms[6 + j];
-      text += fmt::format("    {}: {} instead of {}\n", f.name, amount(a.median_with[j], f.is_metres),
-                          f.share_observed > 0 ? amount(f.median, f.is_metres) : "nothing");
-    }
+    const std::string where = a.candidate.point.empty() ? "" : fmt::format(" (--poi {})", a.candidate.point);
+    text += fmt::format("  a {} on link {}{}: <origin xyz=\"{}\" rpy=\"{}\"/>\n", kind_text(a.candidate.mark),
+                        a.candidate.link, where, three(a.candidate.place, 0.001, 3), rpy(a.candidate.normal));
+    for (std::size_t j = 0; j < std::min(a.effects.size(), kMost); ++j) text += effect_text(a.effects[j]);
+    if (a.effects.size() > kMost)
+      text += fmt::format("    and {} more, see the report as JSON\n", a.effects.size() - kMost);
   }
+  if (r.advice.empty()) text += "  no place is free\n";
   return text;
 }
 

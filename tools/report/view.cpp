@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-bool is_mark(const modelgen::TableMarker& marker) { return marker.kind != model::MarkerKind::point; }
-
-Vec3 any_perpendicular(const Vec3& n) {
-  const Vec3 axis = std::abs(n.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
-  return (axis - axis.dot(n) * n).normalized();
-}
-
 struct Front {
   Vec3 middle{Vec3::Zero()};    ///< of the marks, {obj}
   Vec3 normal{-Vec3::UnitZ()};  ///< mean of theirs
@@ -43,13 +36,12 @@ Front front_of(const modelgen::Table& table, const VectorX& joints) {
 Pose<double> look_at(const Vec3& eye, const Vec3& target) {
   const Vec3 z = (target - eye).normalized();
   const Vec3 down = Vec3::UnitY() - z.y() * z;
-  const Vec3 y = down.norm() > 0.1 ? Vec3(down.normalized()) : any_perpendicular(z);
+  const Vec3 y = down.norm() > 0.1 ? Vec3(down.normalized()) : perpendicular(z);
   Eigen::Matrix3d R_cam_obj;
   R_cam_obj << y.cross(z).transpose(), y.transpose(), z.transpose();
   return {Quat<double>(R_cam_obj), -(R_cam_obj * eye)};
 }
 
-/// 10, 50 and 90 % of all joints, then each joint at 90 % while the others are at 10 %.
 std::vector<VectorX> sample_joints(const modelgen::Table& table) {
   const auto values = table.values();
   const auto n = static_cast<Eigen::Index>(values.size());
@@ -62,10 +54,11 @@ std::vector<VectorX> sample_joints(const modelgen::Table& table) {
   if (n == 0) return {low};
   std::vector<VectorX> samples;
   for (const double share : {0.1, 0.5, 0.9}) samples.emplace_back(low + share * span);
-  for (Eigen::Index j = 0; n > 1 && j < std::min<Eigen::Index>(n, 8); ++j) {
-    VectorX one = low + 0.1 * span;
-    one[j] = low[j] + 0.9 * span[j];
-    samples.push_back(one);
+  for (int bit = 1; n > 1 && bit <= n;
+       bit *= 2) {  // any two joints part in one of these: their numbers differ in a bit
+    VectorX mixed = low + 0.1 * span;
+    for (Eigen::Index j = 0; j < n; ++j) mixed[j] += ((j + 1) & bit) != 0 ? 0.8 * span[j] : 0;
+    samples.push_back(mixed);
   }
   return samples;
 }
@@ -95,13 +88,13 @@ std::vector<View> sample_views(const modelgen::Table& table, const Conditions& c
   std::vector<View> views;
   for (const VectorX& joints : sample_joints(table)) {
     const Front front = front_of(table, joints);
-    const Vec3 right = any_perpendicular(front.normal), up = front.normal.cross(right);
+    const Vec3 right = perpendicular(front.normal), up = front.normal.cross(right);
     for (const double range : ranges) {
       for (double tilt = 0; tilt <= conditions.max_tilt_deg; tilt += 20) {
         for (double azimuth = 0; azimuth < (tilt == 0 ? 1 : 360); azimuth += 45) {
           const Vec3 side = std::cos(azimuth * kDegree) * right + std::sin(azimuth * kDegree) * up;
           const Vec3 from = std::cos(tilt * kDegree) * front.normal + std::sin(tilt * kDegree) * side;
-          views.push_back({look_at(front.middle + range * from, front.middle), joints, range, tilt, azimuth});
+          views.push_back({look_at(front.middle + range * from, front.middle), joints, range, tilt, from});
         }
       }
     }
@@ -109,14 +102,22 @@ std::vector<View> sample_views(const modelgen::Table& table, const Conditions& c
   return views;
 }
 
-std::string describe(const View& view, const modelgen::Table& table) {
-  std::string text = fmt::format("range {:.2f} m, tilt {:.0f} deg", view.range_m, view.tilt_deg);
-  if (view.tilt_deg > 0) text += fmt::format(" at azimuth {:.0f} deg", view.azimuth_deg);
+std::string describe_joints(const VectorX& joints, const modelgen::Table& table, std::size_t first_joint) {
+  constexpr std::size_t kMost = 3;
   const auto values = table.values();
-  for (std::size_t j = 0; j < std::min<std::size_t>(values.size(), 8); ++j) {
-    text += fmt::format(", {} {:.3g}", values[j]->name, view.joints[static_cast<Eigen::Index>(j)]);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(values.size(), kMost); ++i) {
+    const std::size_t j = (first_joint + i) % values.size();
+    text += fmt::format("{}{} {:.3g}", i == 0 ? "" : ", ", values[j]->name, joints[static_cast<Eigen::Index>(j)]);
   }
-  return text;
+  return values.size() > kMost ? fmt::format("{} and {} more", text, values.size() - kMost) : text;
+}
+
+std::string describe(const View& view, const modelgen::Table& table, std::size_t first_joint) {
+  const Vec3 from = view.from.unaryExpr([](double x) { return std::round(100 * x) / 100 + 0.0; });  // no -0.00
+  const std::string joints = describe_joints(view.joints, table, first_joint);
+  return fmt::format("range {:.2f} m, tilt {:.0f} deg from ({:.2f} {:.2f} {:.2f}){}{}", view.range_m, view.tilt_deg,
+                     from.x(), from.y(), from.z(), joints.empty() ? "" : ", ", joints);
 }
 
 }  // namespace articam::report

@@ -23,19 +23,25 @@ CameraParameters default_camera();
 struct View {
   Pose<double> T_cam_obj;
   VectorX joints;
-  double range_m{}, tilt_deg{}, azimuth_deg{};  ///< of the camera about the marks' middle, from the front
+  double range_m{}, tilt_deg{};  ///< of the camera from the marks' middle, and against their front
+  Vec3 from{Vec3::Zero()};       ///< unit vector from the marks' middle to the camera, {obj}
 };
 
-/// Three ranges, tilts in steps of 20 deg with eight azimuths each, and joints at 10, 50 and 90 % of their limits,
-/// alike and, where there are several, each against the others. The camera looks at the middle of the marks. A joint
-/// without limits is taken as half a turn or half a metre either way. Always the same, in the same order.
+/// Three ranges; tilts in steps of 20 deg with eight directions each; joints at 10, 50 and 90 % of their limits, all
+/// alike, then mixtures of 10 and 90 % of which one parts any two joints. The camera looks at the middle
+/// of the marks. A joint without limits is taken as half a turn or half a metre either way. Always the same, in the
+/// same order.
 std::vector<View> sample_views(const modelgen::Table& table, const Conditions& conditions);
 
 /// Limits as the sampling takes them.
 double low_limit(const modelgen::TableJoint& joint);
 double high_limit(const modelgen::TableJoint& joint);
 
-/// For people: `range 0.70 m, tilt 20 deg towards +x, drawer_slide 0.035`.
-std::string describe(const View& view, const modelgen::Table& table);
+/// For people: `range 0.70 m, tilt 20 deg from (0.34 0.00 -0.94), drawer_slide 0.035`; of many joints, the one asked
+/// for and a few.
+std::string describe(const View& view, const modelgen::Table& table, std::size_t first_joint = 0);
+
+/// Joint values in the order of the table: `a 0.1, b 0.2 and 3 more`.
+std::string describe_joints(const VectorX& joints, const modelgen::Table& table, std::size_t first_joint = 0);
 
 }  // namespace articam::report

@@ -72,7 +72,7 @@ TEST(ReadUrdf, RefusesADocumentThatIsNotOneRobot) {
   EXPECT_EQ(messages("<robot name='a'/>\n<robot name='b'/>"),
             "m.urdf:2: document: a second outermost element; one file holds one robot\n");
   EXPECT_EQ(messages("<robot name='a'>\n<link name='b'>\n</robot>"),
-            "m.urdf:2: document: not well-formed XML (XML_ERROR_MISMATCHED_ELEMENT)\n");
+            "m.urdf:2: document: not well-formed XML: a tag here is not closed, or closed by another name\n");
 }
 
 TEST(ReadUrdf, RefusesDeclarationsBeforeParsingThem) {

@@ -206,8 +206,8 @@ TEST(Reduce, LeavesOutJointsThatMoveNoMarker) {
   EXPECT_EQ(outcome.model->table.joints[0].name, "hinge");
   EXPECT_EQ(outcome.model->table.markers[0].body, 0);
   EXPECT_EQ(outcome.messages,
-            "m.urdf: joint 'shoulder': warning: moves no marker: left out of the table\n"
-            "m.urdf: joint 'reach': warning: moves no marker: left out of the table\n");
+            "m.urdf:2: joint 'shoulder': warning: moves no marker: left out of the table\n"
+            "m.urdf:2: joint 'reach': warning: moves no marker: left out of the table\n");
 }
 
 TEST(Reduce, KeepsAllJointsOfAModelWithoutAnyMarker) {
@@ -236,7 +236,7 @@ TEST(Reduce, ChecksTheStartAgainstTheTable) {
                             q0 + "]\n")
         .messages;
   };
-  const std::string kUnused = "m.urdf: joint 'hinge': warning: moves no marker: left out of the table\n";
+  const std::string kUnused = "m.urdf:2: joint 'hinge': warning: moves no marker: left out of the table\n";
   EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0, 0"), kUnused);
   EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0"),
             kUnused + "m.yaml:3: q0: has 8 numbers instead of 9: px py pz qw qx qy qz shoulder reach\n");

@@ -115,8 +115,8 @@ TEST(Prune, KeepsALeaderThatMovesNoMarkerForItsValueOnly) {
       {}, test::with_points({"p=d:0,0,0"}));
   ASSERT_TRUE(outcome.model) << outcome.messages;
   EXPECT_EQ(outcome.messages,
-            "m.urdf: joint 'above': warning: moves no marker: left out of the table\n"
-            "m.urdf: joint 'motor': warning: moves no marker, but a joint that mimics it does: kept for its value\n");
+            "m.urdf:2: joint 'above': warning: moves no marker: left out of the table\n"
+            "m.urdf:2: joint 'motor': warning: moves no marker, but a joint that mimics it does: kept for its value\n");
   const auto& joints = outcome.model->table.joints;
   ASSERT_EQ(joints.size(), 2u);
   EXPECT_EQ(joints[0].name, "motor");

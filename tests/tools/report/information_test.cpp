@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/tools/report/static_table.hpp"
+#include "tests/tools/report/urdf_text.hpp"
 
 namespace articam::report {
 namespace {
@@ -59,9 +60,7 @@ TEST_P(PublishedBound, IsMet) {
     table.markers[1].t_body_m = Vec3(0.16, -0.125, 0.25);
   }
   const View view = view_of(scenario);
-  std::vector<Sight> sights = look(table, view, default_camera());
-  for (Sight& sight : sights) sight.seen = true;  // the second ring is off the picture in none of them
-  const Bound result = bound(sights, kNoise_px);
+  const Bound result = bound(look(table, view, default_camera()), known_beforehand(table), kNoise_px);
   const Eigen::Matrix3d rates = euler_rates(view.T_cam_obj.R.toRotationMatrix());
   const Eigen::Matrix3d euler = rates * result.covariance.block<3, 3>(3, 3) * rates.transpose();
   std::array<double, 8> got{};
@@ -89,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Bound, OfARotationVectorIsThePublishedOne) {
   const View view = view_of({"", 0.70, 0.08, false, false, {}});
   const modelgen::Table table = test::static_table("printer_drawer");
-  const Bound result = bound(look(table, view, default_camera()), kNoise_px);
+  const Bound result = bound(look(table, view, default_camera()), known_beforehand(table), kNoise_px);
   const Vec3 expected(.309, .290, .075);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(result.deviation[3 + i] / kDegree / expected[i], 1, 0.02);
 }
@@ -98,7 +97,9 @@ TEST(Bound, SaysWhatIsNotObserved) {
   const modelgen::Table table = test::static_table("printer_drawer");
   const View view = view_of({"", 0.70, 0.08, false, false, {}});
   const auto sights = look(table, view, default_camera());
-  const auto observed = [&](std::vector<bool> use) { return bound(sights, use, kNoise_px).observed; };
+  const auto observed = [&](std::vector<bool> use) {
+    return bound(sights, use, known_beforehand(table), kNoise_px).observed;
+  };
   // Without the second mark on the drawer its distance is not seen; without both, neither is the drawer.
   EXPECT_EQ(observed({1, 1, 1, 1, 1, 0}), (std::vector<bool>{1, 1, 1, 1, 1, 1, 1, 0}));
   EXPECT_EQ(observed({1, 1, 1, 1, 0, 0}), (std::vector<bool>{1, 1, 1, 1, 1, 1, 0, 0}));
@@ -108,20 +109,46 @@ TEST(Bound, SaysWhatIsNotObserved) {
   EXPECT_EQ(std::count(two.begin(), two.begin() + 6, true), 0);
 }
 
+/// A mark on the axis of its own joint turns on the spot: what rounding leaves of its motion is no observation.
+TEST(Bound, TakesNoRoundingForAnObservation) {
+  const auto table = test::compile(test::dot("a", "base", "-0.1 -0.1 0") + test::dot("b", "base", "0.1 -0.1 0") +
+                                       test::dot("c", "base", "0.1 0.1 0") + "<link name='wheel'/>" +
+                                       test::joint("turn", "continuous", "base", "wheel",
+                                                   "<origin xyz='0.31 0.07 0.13' rpy='0.3 -0.7 1.1'/>") +
+                                       test::dot("hub", "wheel", "0.04 0 0", "0 -1.2 0"),
+                                   test::dots({"a", "b", "c", "hub"}))
+                         .table;
+  for (const double angle : {0.1, 0.7, 1.9}) {
+    View view = view_of({"", 0.70, 0.08, false, false, {}});
+    view.joints = VectorX::Constant(1, angle);
+    auto sights = look(table, view, default_camera());
+    for (Sight& sight : sights) sight.sighting = Sighting::seen;
+    const Bound result = bound(sights, known_beforehand(table), kNoise_px);
+    EXPECT_EQ(result.observed, (std::vector<bool>{1, 1, 1, 1, 1, 1, 0}));
+  }
+}
+
 TEST(Look, SeesAMarkThatFacesTheCameraLargeEnoughAndWhole) {
   const modelgen::Table table = test::static_table("printer_drawer");
   View view = view_of({"", 0.70, 0.08, false, false, {}});
   const auto count = [&] {
     const auto sights = look(table, view, default_camera());
-    return std::count_if(sights.begin(), sights.end(), [](const Sight& s) { return s.seen; });
+    return std::count_if(sights.begin(), sights.end(), [](const Sight& s) { return s.seen(); });
   };
+  const auto why = [&] { return look(table, view, default_camera())[0].sighting; };
   EXPECT_EQ(count(), 6);
   view.T_cam_obj.t.z() = 2.5;  // 5 cm at f = 525 px are 10.5 px
   EXPECT_EQ(count(), 0);
+  EXPECT_EQ(why(), Sighting::too_small);
   view.T_cam_obj.t.z() = -0.7;
   EXPECT_EQ(count(), 0);
   view.T_cam_obj = {Quat<double>(0, 1, 0, 0), Vec3(0, 0, 0.7)};  // from behind
   EXPECT_EQ(count(), 0);
+  EXPECT_EQ(why(), Sighting::turned_away);
+  view.T_cam_obj = {Quat<double>::Identity(), Vec3(4, 0, 0.7)};
+  EXPECT_EQ(why(), Sighting::turned_away);  // far aside it is seen under a flat angle
+  view.T_cam_obj.t.x() = 0.7;
+  EXPECT_EQ(why(), Sighting::outside_picture);
 }
 
 TEST(Look, PredictsThePixelMotionOfEveryStep) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "static_models/registry.hpp"
 #include "tests/tools/report/static_table.hpp"
 #include "tests/tools/report/urdf_text.hpp"
 
@@ -50,15 +55,43 @@ TEST(FindSymmetries, FindsThoseAcrossAMotionOfTheJoints) {
     return s.takes_place_of == Exchange{1, 0, 3, 2};
   });
   ASSERT_NE(half_turn, found.end());
-  EXPECT_NEAR(half_turn->turn_deg, 180, 1e-3);
+  EXPECT_NEAR(half_turn->turn_rad.norm(), std::numbers::pi, 1e-5);
   EXPECT_NEAR(half_turn->other_joints[0], half_turn->joints[1], 1e-6);
   EXPECT_NEAR(half_turn->other_joints[1], half_turn->joints[0], 1e-6);
 }
 
+TEST(FindSymmetries, KnowsThatAWholeTurnLooksTheSameEvenWithIdentities) {
+  const std::string rim = kSquare + "<link name='wheel'/>" + test::dot("rim", "wheel", "0 0.2 0") +
+                          test::dot("e", "base", "0.02 -0.1 0.03");
+  const auto wheel = [&](const char* lower, const char* upper) {
+    const std::string limit = std::string("<axis xyz='0 0 1'/><limit lower='") + lower + "' upper='" + upper + "'/>";
+    return find_symmetries(test::compile(rim + test::joint("turn", "revolute", "base", "wheel", limit),
+                                         test::dots({"a", "b", "c", "d", "e", "rim"}))
+                               .table);
+  };
+  EXPECT_TRUE(wheel("-1", "1").empty());
+  const auto found = wheel("-9", "9");
+  ASSERT_FALSE(found.empty());
+  for (const Symmetry& s : found) {
+    EXPECT_FALSE(s.needs_identities());
+    EXPECT_NEAR(std::remainder(s.joints[0] - s.other_joints[0], 2 * std::numbers::pi), 0, 1e-6);
+  }
+}
+
+TEST(FindSymmetries, TakesNoJointThatNothingTellsOfForOne) {
+  const auto table = test::compile(kSquare + test::dot("e", "base", "0.02 -0.1 0.03") + "<link name='wheel'/>" +
+                                       test::joint("turn", "continuous", "base", "wheel", "<axis xyz='0 0 1'/>") +
+                                       test::dot("hub", "wheel", "0 0 0"),
+                                   test::dots({"a", "b", "c", "d", "e", "hub"}))
+                         .table;
+  EXPECT_TRUE(find_symmetries(table).empty());
+}
+
 /// What is reported is so: the second configuration has its marks where the first has them.
 TEST(FindSymmetries, ReportsOnlyWhatIsTrue) {
-  for (const char* name : {"mire", "mire_distance", "printer_drawer"}) {
-    const modelgen::Table table = test::static_table(name);
+  for (const auto name : models::kStaticModelNames) {
+    SCOPED_TRACE(name);
+    const modelgen::Table table = test::static_table(std::string(name));
     for (const Symmetry& s : find_symmetries(table)) {
       const Marks first = place_marks(table, s.joints), second = place_marks(table, s.other_joints);
       for (std::size_t m = 0; m < table.markers.size(); ++m) {  // a rigid motion keeps distances

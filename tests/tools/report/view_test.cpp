@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,7 @@ TEST(SampleViews, LookAtTheMiddleOfTheMarksFromTheirRangeAndTilt) {
     EXPECT_NEAR(seen.x(), 0, 1e-12);
     EXPECT_NEAR(seen.y(), 0, 1e-12);
     EXPECT_NEAR(seen.z(), view.range_m, 1e-12);
+    EXPECT_NEAR((view.T_cam_obj.R * view.from - Vec3(0, 0, -1)).norm(), 0, 1e-12);
     const Vec3 front = view.T_cam_obj.R * Vec3(0, 0, -1);  // all rings of the printer face -z
     EXPECT_NEAR(std::acos(std::min(1.0, -front.z())) * 180 / std::numbers::pi, view.tilt_deg, 1e-5);
     for (Eigen::Index j = 0; j < 2; ++j) {
@@ -40,6 +42,23 @@ TEST(SampleViews, KeepTheObjectsDownwardsDown) {
     const Vec3 down = view.T_cam_obj.R * Vec3::UnitY();
     EXPECT_NEAR(down.x(), 0, 1e-12);  // no roll
     EXPECT_GT(down.y(), 0.4);
+  }
+}
+
+TEST(SampleViews, MoveEveryJointByItself) {
+  Conditions conditions;
+  conditions.camera = default_camera();
+  const modelgen::Table table = test::static_table("stress24");
+  const auto views = sample_views(table, conditions);
+  for (Eigen::Index j = 0; j < 24; ++j) {
+    for (Eigen::Index k = 0; k < j; ++k) {
+      const auto share = [&](const View& v, Eigen::Index i) {
+        const auto& joint = *table.values()[static_cast<std::size_t>(i)];
+        return (v.joints[i] - low_limit(joint)) / (high_limit(joint) - low_limit(joint));
+      };
+      const auto apart = [&](const View& v) { return std::abs(share(v, j) - share(v, k)) > 0.7; };
+      EXPECT_TRUE(std::any_of(views.begin(), views.end(), apart)) << j << " and " << k;
+    }
   }
 }
 
