@@ -85,7 +85,7 @@ std::string sizes_text(const Report& r) {
 
 /// A warning where a number is never known, or a joint far worse than its marks could tell.
 std::string verdict(const Freedom& f, bool is_joint) {
-  if (f.share_observed == 0) return "NEVER OBSERVED";
+  if (f.share_observed == 0) return "in NONE of these views";
   return is_joint && f.worst_dilution > kWeakDilution ? "WEAK in " + percent(f.share_weak) : "";
 }
 
