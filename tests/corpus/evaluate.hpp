@@ -79,7 +79,9 @@ inline std::uint64_t hash_of(const Evaluated& evaluated) {
   for (const Evaluation& one : evaluated.configurations) {
     for (const double x : one.joints) hash.put(x);
     for (const auto& p : one.centres) hash.put(p);
-    for (const auto& p : one.centres_float) hash.put(std::array{double{p[0]}, double{p[1]}, double{p[2]}});
+    for (const auto& p : one.centres_float) {
+      hash.put(std::array{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+    }
     for (const auto& twist : one.twists) hash.put(twist);
   }
   return hash.value();
