@@ -22,6 +22,14 @@ class CameraModel {
     return {S(p_.fx_px) * d.x() + S(p_.cx_px), S(p_.fy_px) * d.y() + S(p_.cy_px)};
   }
 
+  /// d (u_px, v_px) / d s at s.
+  Mat<S, 2, 2> projection_jacobian(const Vec<S, 2>& s) const noexcept {
+    Mat<S, 2, 2> J = distortion_jacobian(s);
+    J.row(0) *= S(p_.fx_px);
+    J.row(1) *= S(p_.fy_px);
+    return J;
+  }
+
   /// Whether the lens model holds at s. Beyond the fold of a barrel distortion it throws points back into the image.
   bool in_domain(const Vec<S, 2>& s) const noexcept {
     const Mat<S, 2, 2> J = distortion_jacobian(s);

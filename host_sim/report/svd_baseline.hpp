@@ -7,7 +7,7 @@
 #include "core/math/rigid_registration.hpp"
 #include "core/model/forward_kinematics.hpp"
 #include "core/tracker/associate.hpp"
-#include "core/vision/ring_position.hpp"
+#include "core/vision/circle_poses.hpp"
 #include "host_sim/report/run_record.hpp"
 
 namespace articam::sim {
@@ -30,9 +30,9 @@ std::optional<PlainConfiguration> svd_baseline(const tracker::Matches<Model, S>&
     if (!matches[i].matched) continue;
     const model::MarkerRow& row = Model::kMarkers[i];
     const auto& image = detections[static_cast<std::size_t>(matches[i].detection)].outer;
-    const auto p_cam = vision::ring_position(image, static_cast<S>(0.5 * row.outer_diameter_m), camera);
-    if (!p_cam.ok()) continue;
-    const Mark mark{p_cam.value().template cast<double>(), at_zero.markers[i].centre};
+    const auto poses = vision::circle_poses(image, static_cast<S>(0.5 * row.outer_diameter_m), camera);
+    if (!poses.ok()) continue;
+    const Mark mark{poses.value().mean_centre().template cast<double>(), at_zero.markers[i].centre};
     if (row.body < 0) {
       base_cam.push_back(mark.p_cam);
       base_obj.push_back(mark.p_obj_at_zero);
