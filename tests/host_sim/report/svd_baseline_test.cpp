@@ -10,7 +10,7 @@ namespace {
 using Model = PaperScenario::Model;
 
 /// Detections and matches as an ideal detector gives them of an object seen from the front, where a ring's image is a
-/// circle and its position follows without bias.
+/// circle.
 struct Seen {
   vision::Detections detections;
   tracker::Matches<Model, double> matches{};
@@ -44,10 +44,10 @@ TEST(SvdBaseline, RecoversBaseDrawerAndDistanceFromIdealDetections) {
   const Seen seen{q};
   const auto found = svd_baseline<Model>(seen.matches, seen.detections, kCamera);
   ASSERT_TRUE(found);
-  // Q16 pixels of an 18 px radius: 1e-6 relative, 1e-6 m of depth.
-  EXPECT_LT((found->T_cam_obj.t - q.T_cam_obj.t).norm(), 2e-5);
-  EXPECT_NEAR(found->joints[0], 0.05, 2e-5);
-  EXPECT_NEAR(found->joints[1], 0.12, 2e-5);
+  // The mean of a ring's two positions is off by radius^2 / range * sin(tilt to its ray): 0.9 mm times at most 0.2.
+  EXPECT_LT((found->T_cam_obj.t - q.T_cam_obj.t).norm(), 1.8e-4);
+  EXPECT_NEAR(found->joints[0], 0.05, 1.8e-4);
+  EXPECT_NEAR(found->joints[1], 0.12, 1.8e-4);
 }
 
 TEST(SvdBaseline, SaysNothingWithoutThreeBaseMarksOrWithoutAJointsMark) {
