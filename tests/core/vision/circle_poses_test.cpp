@@ -5,35 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/random_state.hpp"
+#include "tests/core/vision/circle_scene.hpp"
 
 namespace articam {
 namespace {
 
 using vision::Circle;
 using vision::PlaneEllipse;
-
-/// The image of a circle on the metric plane, from its dual conic  c c^T - r^2 (I - n n^T).
-PlaneEllipse<double> image_of(const Circle<double>& circle) {
-  const auto& [c, n, r] = circle;
-  const Mat<double, 3, 3> dual = c * c.transpose() - r * r * (Mat<double, 3, 3>::Identity() - n * n.transpose());
-  PlaneEllipse<double> e;
-  e.centre = dual.block<2, 1>(0, 2) / dual(2, 2);
-  const Mat<double, 2, 2> shape = e.centre * e.centre.transpose() - dual.block<2, 2>(0, 0) / dual(2, 2);
-  const double m00 = std::sqrt(shape(0, 0)), m10 = shape(1, 0) / m00;
-  e.M << m00, 0, m10, std::sqrt(shape(1, 1) - m10 * m10);
-  return e;
-}
-
-/// In view of a wide camera, facing it, 0 to 85 degrees off its ray.
-Circle<double> random_circle(test::Random& random) {
-  for (;;) {
-    const double z = random.uniform(0.2, 2);
-    const Vec<double, 3> centre{random.uniform(-0.7, 0.7) * z, random.uniform(-0.5, 0.5) * z, z};
-    const Vec<double, 3> normal = random.vector<double, 3>(-1, 1).normalized();
-    if (normal.dot(centre.normalized()) < -0.087) return {centre, normal, random.uniform(0.005, 0.05)};
-  }
-}
 
 CameraParameters pinhole() {
   CameraParameters p;
@@ -49,15 +27,15 @@ double distance(const Circle<double>& a, const Circle<double>& b) {
 TEST(CirclePoses, HoldTheTrueCircleAmongTheTwoAndBothHaveTheSameImage) {
   test::Random random{21};
   for (int i = 0; i < 2000; ++i) {
-    const auto truth = random_circle(random);
-    const auto image = image_of(truth);
+    const auto truth = test::circle_in_view(random);
+    const auto image = test::image_of(truth);
     const auto poses = vision::circle_poses(image, truth.radius);
     ASSERT_TRUE(poses.ok()) << i;
     const auto& [one, other] = poses.value().solutions;
     const bool first = distance(one, truth) < distance(other, truth);
     // A tilt is known by its square only: image_of()'s rounding, 1e-16 / (r / z)^2, counts more near 0.
     EXPECT_LT(distance(first ? one : other, truth), 1e-9) << i;
-    const auto mirrored = image_of(first ? other : one);
+    const auto mirrored = test::image_of(first ? other : one);
     EXPECT_LT((mirrored.centre - image.centre).norm(), 1e-11) << i;
     EXPECT_LT((mirrored.M - image.M).norm(), 1e-11) << i;
     EXPECT_NEAR(one.centre.norm(), other.centre.norm(), 1e-14);
@@ -66,7 +44,7 @@ TEST(CirclePoses, HoldTheTrueCircleAmongTheTwoAndBothHaveTheSameImage) {
 
 TEST(CirclePoses, CoincideWhereTheCircleFacesTheCameraAlongItsOwnRay) {
   const Vec<double, 3> centre{0.2, -0.1, 0.8};
-  const auto poses = vision::circle_poses(image_of({centre, -centre.normalized(), 0.025}), 0.025);
+  const auto poses = vision::circle_poses(test::image_of({centre, -centre.normalized(), 0.025}), 0.025);
   ASSERT_TRUE(poses.ok());
   for (const auto& solution : poses.value().solutions) {
     EXPECT_LT((solution.centre - centre).norm(), 1e-9);
@@ -77,8 +55,8 @@ TEST(CirclePoses, CoincideWhereTheCircleFacesTheCameraAlongItsOwnRay) {
 TEST(CirclePoses, AreFoundInFloatToTheMicrometreWhereTheTiltIsKnown) {
   test::Random random{22};
   for (int i = 0; i < 2000; ++i) {
-    const auto truth = random_circle(random);
-    const auto image = image_of(truth);
+    const auto truth = test::circle_in_view(random);
+    const auto image = test::image_of(truth);
     const PlaneEllipse<float> in_float{image.centre.cast<float>(), image.M.cast<float>()};
     const auto poses = vision::circle_poses(in_float, static_cast<float>(truth.radius));
     ASSERT_TRUE(poses.ok()) << i;
@@ -97,7 +75,7 @@ TEST(CirclePoses, AreFoundInFloatToTheMicrometreWhereTheTiltIsKnown) {
 
 TEST(CirclePoses, RefuseWhatIsNoEllipseNoRadiusAndNoNumber) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
-  const auto image = image_of({{0.1, 0, 0.7}, {0, 0, -1}, 0.025});
+  const auto image = test::image_of({{0.1, 0, 0.7}, {0, 0, -1}, 0.025});
   ASSERT_TRUE(vision::circle_poses(image, 0.025).ok());
   for (const double radius : {0.0, -0.025, kNaN, kInf}) {
     EXPECT_EQ(vision::circle_poses(image, radius).status(), Status::bad_argument) << radius;
@@ -120,8 +98,8 @@ TEST(CirclePoses, RefuseWhatIsNoEllipseNoRadiusAndNoNumber) {
 TEST(CirclePoses, FromPixelsAreAsExactAsTheirFixedPoint) {
   test::Random random{23};
   for (int i = 0; i < 200; ++i) {
-    const auto truth = random_circle(random);
-    auto image = image_of(truth);
+    const auto truth = test::circle_in_view(random);
+    auto image = test::image_of(truth);
     const double semi_minor_px = 500 * image.M(0, 0) * image.M(1, 1) / vision::semi_major(image);
     image.centre = kPinhole.project(image.centre);
     image.M = vision::lower_triangular<double>(Vec<double, 2>{525, 500}.asDiagonal() * image.M);
