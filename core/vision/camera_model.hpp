@@ -1,100 +1,101 @@
 #pragma once
 /// @file  Metric image plane <-> pixels, lens distortion included.
 
+#include <Eigen/LU>
+
 #include "core/camera_parameters.hpp"
 #include "core/math/types.hpp"
 #include "core/status.hpp"
+#include "core/vision/lens.hpp"
 
 namespace articam::vision {
 
-/// Pinhole with plumb_bob distortion (k1 k2 p1 p2 k3), as ROS and OpenCV define it.
+/// Where a camera sees a point of the metric plane.
+template <class S>
+struct Projection {
+  Vec<S, 2> pixel;
+  Mat<S, 2, 2> J;  ///< d (u_px, v_px) / d s
+};
+
+/// Pinhole and lens (lens.hpp), as ROS and OpenCV define them.
+///
+/// Domain  a lens that distorts holds up to its first fold, where a larger angle to the axis would no longer be seen
+///         farther out, and at most to 85 degrees; a pinhole holds everywhere.
 template <class S>
 class CameraModel {
  public:
-  explicit CameraModel(const CameraParameters& parameters) noexcept : p_{parameters} {}
+  explicit CameraModel(const CameraParameters& parameters) noexcept
+      : p_{parameters},
+        f_{S(p_.fx_px), S(p_.fy_px)},
+        c_{S(p_.cx_px), S(p_.cy_px)},
+        focal_px_{S(0.5 * (p_.fx_px + p_.fy_px))},
+        lens_{parameters} {}
 
   const CameraParameters& parameters() const noexcept { return p_; }
-  S focal_px() const noexcept { return S(0.5 * (p_.fx_px + p_.fy_px)); }
+  S focal_px() const noexcept { return focal_px_; }
+  bool distorts() const noexcept { return lens_.distorts(); }
 
-  /// s (x, y) on the metric plane Z = 1 -> (u_px, v_px).
+  /// s (x, y) on the metric plane Z = 1 -> (u_px, v_px). Beyond the domain without meaning.
   Vec<S, 2> project(const Vec<S, 2>& s) const noexcept {
-    const Vec<S, 2> d = distort(s);
-    return {S(p_.fx_px) * d.x() + S(p_.cx_px), S(p_.fy_px) * d.y() + S(p_.cy_px)};
+    return f_.cwiseProduct(lens_.distorts() ? lens_.image(s).d : s) + c_;
   }
 
-  /// d (u_px, v_px) / d s at s.
-  Mat<S, 2, 2> projection_jacobian(const Vec<S, 2>& s) const noexcept {
-    Mat<S, 2, 2> J = distortion_jacobian(s);
-    J.row(0) *= S(p_.fx_px);
-    J.row(1) *= S(p_.fy_px);
-    return J;
+  /// The same with its slope. Errors  outside_domain.
+  Result<Projection<S>> project_with_slope(const Vec<S, 2>& s) const noexcept {
+    if (!lens_.distorts()) return Projection<S>{f_.cwiseProduct(s) + c_, f_.asDiagonal()};
+    const LensImage<S> image = lens_.image(s);
+    if (!image.in_domain) return Status::outside_domain;
+    return Projection<S>{f_.cwiseProduct(image.d) + c_, f_.asDiagonal() * image.J};
   }
 
-  /// Whether the lens model holds at s. Beyond the fold of a barrel distortion it throws points back into the image.
-  bool in_domain(const Vec<S, 2>& s) const noexcept {
-    const Mat<S, 2, 2> J = distortion_jacobian(s);
-    return radial(s.squaredNorm()) > S(0) && J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0) > S(kMinStretch);
-  }
+  bool in_domain(const Vec<S, 2>& s) const noexcept { return !lens_.distorts() || lens_.image(s).in_domain; }
 
-  /// (u_px, v_px) -> (x, y) on the metric plane, by Newton's method on the distortion.
-  /// Errors  outside_domain where it does not converge in kMaxIterations (beyond the fold of the lens model).
+  /// (u_px, v_px) -> (x, y) on the metric plane.
+  /// Errors  outside_domain where no s of the domain is seen; bad_argument when the pixel is not a number.
   Result<Vec<S, 2>> unproject(const Vec<S, 2>& pixel) const noexcept {
-    const Vec<S, 2> d{(pixel.x() - S(p_.cx_px)) / S(p_.fx_px), (pixel.y() - S(p_.cy_px)) / S(p_.fy_px)};
+    const Vec<S, 2> d = (pixel - c_).cwiseQuotient(f_);
     if (!math::all_finite(d)) return Status::bad_argument;
-    if (!distorted()) return d;
-    Vec<S, 2> s = d;
-    for (int i = 0; i < kMaxIterations; ++i) {
-      const Vec<S, 2> miss = distort(s) - d;
-      if (miss.squaredNorm() < kTolerance * kTolerance) return s;
-      const Mat<S, 2, 2> J = distortion_jacobian(s);
-      const S det = J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0);
-      if (!(det > S(kMinStretch))) return Status::outside_domain;
-      s -= Vec<S, 2>{J(1, 1) * miss.x() - J(0, 1) * miss.y(), J(0, 0) * miss.y() - J(1, 0) * miss.x()} / det;
+    if (!lens_.distorts()) return d;
+    const S radius = d.norm(), tolerance = kTolerance * (S(1) + radius);
+    S r = undistorted_radius(radius);
+    if (lens_.tangential() > S(0)) r = undistorted_radius(radius - lens_.tangential() * r * r);
+    Vec<S, 2> s = radius > S(0) ? Vec<S, 2>{d * (r / radius)} : d;
+    for (int i = 0; i < kMaxIterations; ++i) {  // Newton's method; from inside, so that no fold is leapt
+      const LensImage<S> image = lens_.image(s);
+      if (!image.in_domain) break;
+      const Vec<S, 2> miss = image.d - d;
+      if (miss.squaredNorm() < tolerance * tolerance) return s;
+      s -= image.J.inverse() * miss;
     }
     return Status::outside_domain;
   }
 
  private:
-  static constexpr int kMaxIterations = 12;
-  static constexpr double kMinStretch = 1e-3;  ///< of areas by the lens; it falls to 0 at the fold
-  static constexpr S kTolerance = sizeof(S) == 4 ? S(1e-6) : S(1e-12);  // metric plane; about 1e-3 and 1e-9 px
+  static constexpr int kMaxIterations = 12, kMaxRadiusIterations = 40;
+  // On the metric plane, at its centre: times a focal length of 500 px, 2.5e-4 and 2.5e-10 px.
+  static constexpr S kTolerance = sizeof(S) == 4 ? S(5e-7) : S(5e-13);
 
-  bool distorted() const noexcept {
-    for (const double k : p_.distortion) {
-      if (k != 0) return true;
+  /// The r up to reach() that the radial part takes to `distorted`, or reach() where there is none: Newton's method
+  /// inside a bracket that it halves where it would leave it.
+  S undistorted_radius(S distorted) const noexcept {
+    S low{0}, high = lens_.reach();
+    if (!(distorted > S(0))) return S(0);
+    S r = distorted < high ? distorted : high;
+    for (int i = 0; i < kMaxRadiusIterations; ++i) {
+      const auto [scale, slope] = lens_.radial(r * r);
+      const S miss = r * scale - distorted;
+      if (miss < kTolerance && miss > -kTolerance) break;
+      (miss < S(0) ? low : high) = r;
+      r -= miss / (scale + slope * r * r);
+      if (!(r > low && r < high)) r = S(0.5) * (low + high);
     }
-    return false;
-  }
-
-  S radial(S r2) const noexcept {
-    const auto [k1, k2, p1, p2, k3] = coefficients();
-    return S(1) + r2 * (k1 + r2 * (k2 + r2 * k3));
-  }
-
-  Vec<S, 2> distort(const Vec<S, 2>& s) const noexcept {
-    const auto [k1, k2, p1, p2, k3] = coefficients();
-    const S x = s.x(), y = s.y(), r2 = x * x + y * y;
-    const S scale = radial(r2);
-    return {x * scale + S(2) * p1 * x * y + p2 * (r2 + S(2) * x * x),
-            y * scale + p1 * (r2 + S(2) * y * y) + S(2) * p2 * x * y};
-  }
-
-  Mat<S, 2, 2> distortion_jacobian(const Vec<S, 2>& s) const noexcept {
-    const auto [k1, k2, p1, p2, k3] = coefficients();
-    const S x = s.x(), y = s.y(), r2 = x * x + y * y;
-    const S scale = radial(r2);
-    const S slope = S(2) * (k1 + r2 * (S(2) * k2 + r2 * S(3) * k3));  // d radial / d r2, times 2
-    Mat<S, 2, 2> J;
-    J << scale + slope * x * x + S(2) * p1 * y + S(6) * p2 * x, slope * x * y + S(2) * p1 * x + S(2) * p2 * y,
-        slope * x * y + S(2) * p1 * x + S(2) * p2 * y, scale + slope * y * y + S(6) * p1 * y + S(2) * p2 * x;
-    return J;
-  }
-
-  std::array<S, 5> coefficients() const noexcept {
-    return {S(p_.distortion[0]), S(p_.distortion[1]), S(p_.distortion[2]), S(p_.distortion[3]), S(p_.distortion[4])};
+    return r;
   }
 
   CameraParameters p_;
+  Vec<S, 2> f_, c_;  // px
+  S focal_px_;
+  Lens<S> lens_;
 };
 
 }  // namespace articam::vision

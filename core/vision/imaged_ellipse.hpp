@@ -49,30 +49,46 @@ class CircleImage {
     return e;
   }
 
-  /// d (x, y, m00, m10, m11) / dt while the centre moves by c_dot and the normal by n_dot.
-  Vec<S, 5> rate(const Vec<S, 3>& c_dot, const Vec<S, 3>& n_dot) const noexcept {
-    const S growth = -c_dot.z() / c_.z();  // of rho, by rho
-    const Vec<S, 2> a_dot = (c_dot.template head<2>() - a_ * c_dot.z()) / c_.z();
-    const Vec<S, 2> p_dot = n_dot.template head<2>() - a_dot * n_.z() - a_ * n_dot.z();
-    const Vec<S, 2> d_dot = a_dot + p_dot * n_.z() + p_ * n_dot.z();
-    const S f_dot = n_dot.template head<2>().dot(a_) + n_.template head<2>().dot(a_dot) + n_dot.z();
-    const S m_dot = S(2) * rho2_ * (n_.z() * n_dot.z() - growth * (S(1) - n_.z() * n_.z()));
-    const S k_growth = S(2) * growth - m_dot / m_;  // of k, by k
-
-    const auto shape_dot = [&](int i, int j, S shape) {
-      return k_growth * (shape + k_ * k_ * d_[i] * d_[j]) +
-             k_ * (a_dot[i] * a_[j] + a_[i] * a_dot[j] - p_dot[i] * p_[j] - p_[i] * p_dot[j] +
-                   k_ * (d_dot[i] * d_[j] + d_[i] * d_dot[j]));
+  /// d (x, y, m00, m10, m11) / d (c, n), each of which may change on its own.
+  Mat<S, 5, 6> derivative() const noexcept {
+    const Vec<S, 2> ex{S(1), S(0)}, ey{S(0), S(1)};
+    const S nz = n_.z(), per_m = S(1) / m_;
+    const Vec<S, 2> grown = Vec<S, 2>{shape00_, shape10_} + S(0.5) * k_ * k_ * symmetric(d_, d_);
+    const auto by_a = [&](const Vec<S, 2>& e, S n_e) {
+      return rate(per_m * e, k_ * per_m * symmetric(e, d_), n_e / f_);
     };
-    const S m10 = shape10_ / m00_;
-    const S m00_dot = shape_dot(0, 0, shape00_) / (S(2) * m00_);
-    const S m10_dot = (shape_dot(1, 0, shape10_) - m10 * m00_dot) / m00_;
-    const S m11_dot = m11_ * (k_growth - m_dot / (S(2) * m_) - m00_dot / m00_ + f_dot / f_);
-    const Vec<S, 2> centre_dot = a_dot + k_ * (k_growth * d_ + d_dot);
-    return (Vec<S, 5>{} << centre_dot, m00_dot, m10_dot, m11_dot).finished();
+    const auto by_n = [&](const Vec<S, 2>& e, S a_e) {
+      return rate(k_ * nz * e, k_ * (k_ * nz * symmetric(e, d_) - symmetric(e, p_)), a_e / f_);
+    };
+    const Vec<S, 5> by_ax = by_a(ex, n_.x()), by_ay = by_a(ey, n_.y());
+    const Vec<S, 5> by_log_rho = rate(S(2) * k_ * per_m * d_, S(2) * per_m * grown, S(3) * per_m - S(1));
+    const Vec<S, 2> d_by_nz = p_ - nz * a_;
+
+    Mat<S, 5, 6> D;
+    D.col(0) = by_ax / c_.z();
+    D.col(1) = by_ay / c_.z();
+    D.col(2) = (a_.x() * by_ax + a_.y() * by_ay + by_log_rho) / -c_.z();
+    D.col(3) = by_n(ex, a_.x());
+    D.col(4) = by_n(ey, a_.y());
+    D.col(5) =
+        rate(k_ * (d_by_nz - S(2) * k_ * nz * d_),
+             k_ * (symmetric(a_, p_) + k_ * symmetric(d_by_nz, d_) - S(2) * nz * grown), S(1) / f_ - S(3) * k_ * nz);
+    return D;
   }
 
  private:
+  /// First column of u v^T + v u^T.
+  static Vec<S, 2> symmetric(const Vec<S, 2>& u, const Vec<S, 2>& v) noexcept {
+    return {S(2) * u.x() * v.x(), u.y() * v.x() + v.y() * u.x()};
+  }
+
+  /// From the derivatives of the centre, of the first column of M M^T and of log det M.
+  Vec<S, 5> rate(const Vec<S, 2>& centre, const Vec<S, 2>& shape, S log_det) const noexcept {
+    const S m00 = S(0.5) * shape.x() / m00_;
+    const S m10 = (shape.y() - shape10_ / m00_ * m00) / m00_;
+    return (Vec<S, 5>{} << centre, m00, m10, m11_ * (log_det - m00 / m00_)).finished();
+  }
+
   Vec<S, 3> c_, n_;
   Vec<S, 2> a_, p_, d_;
   Status status_;
@@ -98,12 +114,11 @@ template <class S>
 Result<Mat<S, 5, 6>> imaged_ellipse_interaction_matrix(const Circle<S>& circle) noexcept {
   const CircleImage<S> image{circle};
   if (image.status() != Status::ok) return image.status();
+  const Mat<S, 5, 6> D = image.derivative();
+  const Mat<S, 5, 3> D_c = D.template leftCols<3>(), D_n = D.template rightCols<3>();
+  // The camera's twist (v, w) moves c by -v - w x c and turns n by -w x n.
   Mat<S, 5, 6> L;
-  for (int i = 0; i < 3; ++i) {  // the camera's twist (v, w) moves c by -v - w x c and turns n by -w x n
-    const Vec<S, 3> unit = Vec<S, 3>::Unit(i);
-    L.col(i) = image.rate(-unit, Vec<S, 3>::Zero());
-    L.col(3 + i) = image.rate(circle.centre.cross(unit), circle.normal.cross(unit));
-  }
+  L << -D_c, D_c.lazyProduct(math::hat<S>(circle.centre)) + D_n.lazyProduct(math::hat<S>(circle.normal));
   return L;
 }
 

@@ -17,14 +17,6 @@ struct PlaneEllipse {
   Mat<S, 2, 2> M{Mat<S, 2, 2>::Zero()};
 };
 
-/// A^-1 of a regular matrix.
-template <class S>
-Mat<S, 2, 2> inverse(const Mat<S, 2, 2>& A) noexcept {
-  Mat<S, 2, 2> adjugate;
-  adjugate << A(1, 1), -A(0, 1), -A(1, 0), A(0, 0);
-  return adjugate / (A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0));
-}
-
 /// The lower triangular M with  M M^T = A A^T, A regular: the same ellipse; 0 of an A whose first row is 0.
 template <class S>
 Mat<S, 2, 2> lower_triangular(const Mat<S, 2, 2>& A) noexcept {
