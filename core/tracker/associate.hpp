@@ -8,6 +8,7 @@
 #include "core/tracker/features.hpp"
 #include "core/vision/camera_model.hpp"
 #include "core/vision/detection.hpp"
+#include "core/vision/lens_ellipse.hpp"
 
 namespace articam::tracker {
 
@@ -82,11 +83,14 @@ Matches<M, S> associate(const Features<M, S>& features, const vision::Detections
   for (std::size_t f = 0; f < kRows; ++f) {
     if (partner[f] < 0) continue;
     const auto d = static_cast<std::size_t>(partner[f]);
-    const auto s_star = camera.unproject(centre(d));
-    if (!s_star.ok()) continue;
+    const auto on_plane = vision::undistorted_ellipse<S>(detections[d].outer, camera);
+    if (!on_plane.ok()) continue;
+    const Vec<S, 2> s_star = on_plane.value().centre;
+    const auto seen = camera.project_with_slope(s_star);
+    if (!seen.ok()) continue;
     const S variance_px2 = static_cast<S>(detections[d].centre_variance_q16) / S(65536);
-    matches[f] = {true, partner[f], centre(d), s_star.value(),
-                  (variance_px2 + floor_px * floor_px) / (camera.focal_px() * camera.focal_px())};
+    matches[f] = {true, partner[f], centre(d), s_star,
+                  (variance_px2 + floor_px * floor_px) / seen.value().J.determinant()};  // px^2 to the metric plane
   }
   return matches;
 }

@@ -11,6 +11,8 @@
 #include "core/vision/detection.hpp"
 #include "core/vision/image_view.hpp"
 #include "core/vision/imaged_circle.hpp"
+#include "core/vision/imaged_ellipse.hpp"
+#include "core/vision/lens_ellipse.hpp"
 
 namespace articam::tracker {
 
@@ -25,8 +27,9 @@ template <class S>
 struct Feature {
   bool visible{};  ///< in front of the camera, facing it, its centre inside the image
   vision::MarkKind kind{};
-  Vec<S, 2> pixel{Vec<S, 2>::Zero()};  ///< centre of its image
-  S radius_px{};                       ///< semi-major axis of its image
+  vision::Ellipse image{};             ///< of its outer edge, as a detector would report it
+  Vec<S, 2> pixel{Vec<S, 2>::Zero()};  ///< centre of that, or the image of the marker's centre (FeatureKind)
+  S radius_px{};                       ///< semi-major axis of `image`
   S spread_px{};  ///< how far beyond plain tracking's reach it may be, the joints being badly known
 };
 
@@ -51,6 +54,15 @@ vision::Circle<S> circle_in_camera(const Pose<S>& T_cam_obj, const model::Marker
   return {T_cam_obj * place.centre, T_cam_obj.R * place.normal, static_cast<S>(0.5 * diameter_m)};
 }
 
+/// A circle's image through the lens. Errors  of imaged_ellipse() and distorted_ellipse().
+template <class S>
+Result<vision::PlaneEllipse<S>> image_of(const vision::Circle<S>& circle,
+                                         const vision::CameraModel<S>& camera) noexcept {
+  const auto on_plane = vision::imaged_ellipse(circle);
+  if (!on_plane.ok()) return on_plane.status();
+  return vision::distorted_ellipse(on_plane.value(), camera);
+}
+
 /// q -> every marker's image. Points without a mark are never visible.
 template <class M, class S>
 Features<M, S> predict_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera,
@@ -59,18 +71,18 @@ Features<M, S> predict_features(const model::Configuration<M, S>& q, const visio
   const auto kinematics = model::forward_kinematics<M, S>(q.joints);
   for (std::size_t i = 0; i < features.size(); ++i) {
     const model::MarkerRow& row = M::kMarkers[i];
-    auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
-    const S radius_m = circle.radius;
-    if (kind == FeatureKind::point) circle.radius = S(0);
-    const auto s = vision::imaged_centre(circle);
-    if (!s.ok() || row.kind == model::MarkerKind::point) continue;
+    const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
+    if (row.kind == model::MarkerKind::point || !(circle.normal.dot(circle.centre) < S(0))) continue;
+    const auto image = image_of(circle, camera);
+    if (!image.ok()) continue;
     Feature<S>& feature = features[i];
     feature.kind = mark_kind(row.kind);
-    feature.pixel = camera.project(s.value());
-    feature.radius_px = camera.focal_px() * radius_m / circle.centre.z();
+    feature.image = vision::to_q16(image.value());
+    feature.pixel = kind == FeatureKind::point ? camera.project(circle.centre.template head<2>() / circle.centre.z())
+                                               : image.value().centre;
+    feature.radius_px = vision::semi_major(image.value());
     const auto& size = camera.parameters();
-    feature.visible = circle.normal.dot(circle.centre) < S(0) && camera.in_domain(s.value()) &&
-                      feature.pixel.x() >= S(0) && feature.pixel.x() < static_cast<S>(size.width_px) &&
+    feature.visible = feature.pixel.x() >= S(0) && feature.pixel.x() < static_cast<S>(size.width_px) &&
                       feature.pixel.y() >= S(0) && feature.pixel.y() < static_cast<S>(size.height_px);
   }
   return features;
