@@ -111,6 +111,15 @@ TEST(EmittedCamera, SaysEveryNumberOfItsFile) {
   }
 }
 
+TEST(EmittedCamera, NamesItsLensAndGivesAsManyCoefficientsAsThatHas) {
+  CameraParameters camera;
+  camera.distortion_model = DistortionModel::equidistant;
+  camera.distortion = {-0.02, 0.01, -0.003, 0.001};
+  const std::string header = modelgen::emit_camera(camera, {"fisheye.yaml", ""}, "Fisheye");
+  EXPECT_NE(header.find(".distortion_model = DistortionModel::equidistant,"), std::string::npos) << header;
+  EXPECT_NE(header.find(".distortion = {-0.02, 0.01, -0.003, 0.001},"), std::string::npos) << header;
+}
+
 TEST(StaticModels, TellWhenANameIsNotTheirs) {
   EXPECT_FALSE(visit_model("absent", []<class Model>() {}));
 }

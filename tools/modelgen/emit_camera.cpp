@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <span>
+#include <vector>
+
 #include "tools/modelgen/emit_text.hpp"
+#include "tools/modelgen/read_camera.hpp"
 
 namespace articam::modelgen {
 namespace {
 
-template <std::size_t N>
-std::string list(const std::array<double, N>& numbers) {
-  std::array<std::string, N> texts;
-  for (std::size_t i = 0; i < N; ++i) texts[i] = number(numbers[i]);
+std::string list(std::span<const double> numbers) {
+  std::vector<std::string> texts;
+  for (const double x : numbers) texts.push_back(number(x));
   return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
@@ -28,7 +31,7 @@ inline constexpr CameraParameters k{name}{{
     .fy_px = {fy},
     .cx_px = {cx},
     .cy_px = {cy},
-    .distortion_model = DistortionModel::plumb_bob,
+    .distortion_model = DistortionModel::{model},
     .distortion = {distortion},
     .readout_time_s = {readout},
     .has_t_base_cam = {has_base},
@@ -41,14 +44,16 @@ inline constexpr CameraParameters k{name}{{
 }  // namespace
 
 std::string emit_camera(const CameraParameters& camera, const SourceFile& source, const std::string& type_name) {
-  static_assert(DistortionModel{} == DistortionModel::plumb_bob, "the only one that read_camera accepts");
+  const auto model = static_cast<std::size_t>(camera.distortion_model);
+  const auto distortion = std::span{camera.distortion}.first(num_coefficients(camera.distortion_model));
   using fmt::arg;
   return fmt::format(kHeader, arg("file", comment(source.file_name())), arg("hash", sha256(source.bytes)),
                      arg("name", type_name), arg("width", camera.width_px), arg("height", camera.height_px),
                      arg("fx", number(camera.fx_px)), arg("fy", number(camera.fy_px)), arg("cx", number(camera.cx_px)),
-                     arg("cy", number(camera.cy_px)), arg("distortion", list(camera.distortion)),
-                     arg("readout", number(camera.readout_time_s)), arg("has_base", camera.has_t_base_cam),
-                     arg("t_base", list(camera.t_base_cam_m)), arg("r_base", list(camera.r_base_cam_wxyz)));
+                     arg("cy", number(camera.cy_px)), arg("model", kDistortionModels[model]),
+                     arg("distortion", list(distortion)), arg("readout", number(camera.readout_time_s)),
+                     arg("has_base", camera.has_t_base_cam), arg("t_base", list(camera.t_base_cam_m)),
+                     arg("r_base", list(camera.r_base_cam_wxyz)));
 }
 
 }  // namespace articam::modelgen

@@ -1,6 +1,7 @@
 #include "tools/modelgen/read_camera.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,13 +63,15 @@ void read_intrinsics(YamlMap& map, const SourceFile& source, CameraParameters& c
 void read_distortion(YamlMap& map, const SourceFile& source, CameraParameters& camera, Diagnostics& diagnostics) {
   const auto model = map.text("distortion_model");
   if (!model) return;
-  if (*model != "plumb_bob") {
-    const bool known = *model == "rational_polynomial" || *model == "equidistant";
-    const char* const reason = known ? "is not supported yet; calibrate again with plumb_bob" : "is not known";
-    map.error(map.line_of_key("distortion_model"), "distortion_model", fmt::format("'{}' {}", *model, reason));
+  const auto known = std::find(kDistortionModels.begin(), kDistortionModels.end(), *model);
+  if (known == kDistortionModels.end()) {
+    map.error(map.line_of_key("distortion_model"), "distortion_model",
+              fmt::format("'{}' is not known; known are {}", *model, fmt::join(kDistortionModels, ", ")));
     return;
   }
-  const auto d = read_matrix(map, source, "distortion_coefficients", 1, 5, diagnostics);
+  camera.distortion_model = static_cast<DistortionModel>(known - kDistortionModels.begin());
+  const auto d = read_matrix(map, source, "distortion_coefficients", 1,
+                             static_cast<int>(num_coefficients(camera.distortion_model)), diagnostics);
   if (d) std::copy(d->begin(), d->end(), camera.distortion.begin());
 }
 

@@ -36,18 +36,36 @@ TEST(ReadCamera, KeepsEveryNumber) {
   EXPECT_EQ(camera->height_px, 480);
   EXPECT_EQ((std::array{camera->fx_px, camera->fy_px, camera->cx_px, camera->cy_px}),
             (std::array{525.0, 524.0, 319.5, 239.5}));
-  EXPECT_EQ(camera->distortion, (std::array{.1, .2, .3, .4, .5}));
+  EXPECT_EQ(camera->distortion_model, DistortionModel::plumb_bob);
+  EXPECT_EQ(camera->distortion, (std::array<double, 8>{.1, .2, .3, .4, .5}));
   EXPECT_EQ(camera->readout_time_s, 0.02);
   EXPECT_EQ(camera->t_base_cam_m, (std::array{1.0, 2.0, 3.0}));
   EXPECT_NEAR(camera->r_base_cam_wxyz[2], 0.6, 1e-15);  // divided by its norm: one rounding
 }
 
-TEST(ReadCamera, RefusesDistortionModelsThatItWouldDrop) {
-  for (const std::string model : {"rational_polynomial", "equidistant"}) {
-    EXPECT_EQ(messages(edited("plumb_bob", model)),
-              "c.yaml:4: distortion_model: '" + model + "' is not supported yet; calibrate again with plumb_bob\n");
-  }
-  EXPECT_EQ(messages(edited("plumb_bob", "magic")), "c.yaml:4: distortion_model: 'magic' is not known\n");
+TEST(ReadCamera, TakesTheThreeLensModelsOfRosEachWithItsCoefficients) {
+  const auto with = [](const std::string& model, const std::string& numbers, int count) {
+    return "image_width: 640\nimage_height: 480\n"
+           "camera_matrix: {rows: 3, cols: 3, data: [525, 0, 319.5, 0, 524, 239.5, 0, 0, 1]}\n"
+           "distortion_model: " +
+           model + "\ndistortion_coefficients: {rows: 1, cols: " + std::to_string(count) + ", data: [" + numbers +
+           "]}\n";
+  };
+  Diagnostics diagnostics;
+  const auto rational =
+      read_camera(SourceFile{"c.yaml", with("rational_polynomial", ".1, .2, .3, .4, .5, .6, .7, .8", 8)}, diagnostics);
+  const auto fisheye = read_camera(SourceFile{"c.yaml", with("equidistant", ".1, .2, .3, .4", 4)}, diagnostics);
+  ASSERT_TRUE(rational && fisheye) << diagnostics.text();
+  EXPECT_EQ(rational->distortion_model, DistortionModel::rational_polynomial);
+  EXPECT_EQ(rational->distortion, (std::array{.1, .2, .3, .4, .5, .6, .7, .8}));
+  EXPECT_EQ(fisheye->distortion_model, DistortionModel::equidistant);
+  EXPECT_EQ(fisheye->distortion, (std::array<double, 8>{.1, .2, .3, .4}));
+  EXPECT_EQ(messages(with("equidistant", ".1, .2, .3, .4, .5", 5)),
+            "c.yaml:5: distortion_coefficients cols: is not 4\n"
+            "c.yaml:5: distortion_coefficients data: has 5 numbers instead of 4\n");
+  EXPECT_EQ(messages(edited("plumb_bob", "magic")),
+            "c.yaml:4: distortion_model: 'magic' is not known; known are plumb_bob, rational_polynomial, "
+            "equidistant\n");
 }
 
 TEST(ReadCamera, TellsTheLineAndTheKeyOfWhatIsWrong) {
