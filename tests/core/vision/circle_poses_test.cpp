@@ -73,6 +73,26 @@ TEST(CirclePoses, AreFoundInFloatToTheMicrometreWhereTheTiltIsKnown) {
   }
 }
 
+TEST(CirclePoses, AreAsExactThroughALens) {
+  auto p = pinhole();
+  p.distortion_model = DistortionModel::equidistant;
+  p.distortion = {-0.02, 0.01, -0.003, 0.001};
+  const vision::CameraModel<double> camera{p};
+  test::Random random{24};
+  for (int i = 0; i < 500; ++i) {
+    const auto truth = test::circle_in_view(random);
+    const auto seen = vision::distorted_ellipse(test::image_of(truth), camera);
+    ASSERT_TRUE(seen.ok()) << i;
+    const auto image = vision::undistorted_ellipse(seen.value(), camera);
+    ASSERT_TRUE(image.ok()) << i;
+    const auto poses = vision::circle_poses(image.value(), truth.radius);
+    ASSERT_TRUE(poses.ok()) << i;
+    const auto& [one, other] = poses.value().solutions;
+    // lens_ellipse's 1e-9 px against a semi-minor axis of a few tenths of a pixel at the least
+    EXPECT_LT(std::min((one.centre - truth.centre).norm(), (other.centre - truth.centre).norm()), 1e-8) << i;
+  }
+}
+
 TEST(CirclePoses, RefuseWhatIsNoEllipseNoRadiusAndNoNumber) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
   const auto image = test::image_of({{0.1, 0, 0.7}, {0, 0, -1}, 0.025});

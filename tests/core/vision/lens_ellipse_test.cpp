@@ -153,6 +153,7 @@ TEST(LensEllipse, IsRefusedBeyondTheLensAndWhereEmpty) {
   EXPECT_EQ(vision::undistorted_ellipse(vision::Ellipse{}, camera).status(), Status::bad_argument);
   const double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(vision::undistorted_ellipse<double>({{kNaN, 0}, size}, camera).status(), Status::bad_argument);
+  EXPECT_EQ(vision::undistorted_ellipse<double>({{330, 240}, kNaN * size}, camera).status(), Status::bad_argument);
 }
 
 TEST(PlaneEllipse, IsTheSameInFixedPointButForItsRounding) {
