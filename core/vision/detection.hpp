@@ -22,11 +22,23 @@ struct Ellipse {
   constexpr bool operator==(const Ellipse&) const noexcept = default;
 };
 
+/// What may be wrong with a mark's image. Bits of Detection::flaws.
+enum Flaw : std::uint8_t {
+  kBlurred = 1,    ///< its edge is wider than kSharp_q8: out of focus, or moved while exposed
+  kSaturated = 2,  ///< its light or its dark is at the end of the grey levels: the edge may be moved
+  kOccluded = 4,   ///< up to an eighth of its edge is not seen, and was left out
+};
+inline constexpr int kSharp_q8 = 3 * 256 / 2;  ///< standard deviation of an edge, px
+
 struct Detection {
   MarkKind kind{};
+  std::uint8_t flaws{};                 ///< of its outer edge: Flaw bits
+  std::uint16_t blur_q8{};              ///< standard deviation of its outer edge, px, Q8
   Ellipse outer{};                      ///< outer edge of a ring, edge of a dot
   Ellipse inner{};                      ///< inner edge of a ring; zero otherwise
   std::uint32_t centre_variance_q16{};  ///< variance of u and of v of the outer centre, px^2, Q16
+  std::uint32_t axis_variance_q16{};    ///< of each outer semi-axis, its bias included
+  std::uint32_t inner_centre_variance_q16{}, inner_axis_variance_q16{};
   constexpr bool operator==(const Detection&) const noexcept = default;
 };
 

@@ -3,23 +3,25 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/vision/fixed_point.hpp"
+#include "core/vision/mark.hpp"
+
 namespace articam::vision {
 namespace {
-
-// Work is bounded on any frame or window: one row of an outline for each so many pixels, above what any scene of
-// marks needs, and what a small window's marks need.
-constexpr int kPixelsPerRow = 16;
-constexpr int kMinRowBudget = 1024;
 
 // A word of 64 pixels with more changes than this is texture finer than the edges of the smallest marks.
 constexpr int kMaxChangesPerWord = 24;
 
-/// Pixels of a colour with no pixel of that colour in the row above: beside, straight or diagonally.
-std::uint64_t fresh(const MaskRow& above, const MaskRow& row, int i) noexcept {
-  const std::uint64_t here = row.word(i), over = above.word(i);
-  const std::uint64_t before = i > 0 ? above.word(i - 1) >> 63 : 0;
-  const std::uint64_t after = i + 1 < row.num_words ? above.word(i + 1) << 63 : 0;
-  return here & ~(over | over << 1 | before | over >> 1 | after);
+// Work is bounded on any frame or window: so many pixels looked at again for each pixel of the frame, half of them
+// given out as the search goes down, so that texture at the top does not use up what marks at the bottom need. Every
+// run may be a dot, but few chords may cross a ring.
+constexpr int kLooksForRings_q4 = 12, kLooksForDots_q4 = 64, kMinLooks = 16384;
+
+// A target without an instruction for it calls a function for std::popcount.
+int count_bits(std::uint64_t x) noexcept {
+  x -= x >> 1 & 0x5555555555555555u;
+  x = (x & 0x3333333333333333u) + (x >> 2 & 0x3333333333333333u);
+  return static_cast<int>(((x + (x >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
 }
 
 bool same_place(const Detection& a, const Detection& b) noexcept {
@@ -28,12 +30,30 @@ bool same_place(const Detection& a, const Detection& b) noexcept {
   return du * du + dv * dv < std::min(m00 * m00, m11 * m11) / 4;
 }
 
-bool in_a_ring(const Detection& dot, const Detections& found) noexcept {
-  return std::any_of(found.begin(), found.end(),
-                     [&](const Detection& ring) { return ring.kind == MarkKind::ring && same_place(dot, ring); });
+// By insertion: std::sort calls itself, and the stack of a step must have a bound.
+void sort_by_rows(Detections& marks) noexcept {
+  const auto is_before = [](const Detection& a, const Detection& b) {
+    return a.outer.v_q16 != b.outer.v_q16 ? a.outer.v_q16 < b.outer.v_q16 : a.outer.u_q16 < b.outer.u_q16;
+  };
+  for (Detection* next = marks.begin(); next != marks.end(); ++next) {
+    std::rotate(std::upper_bound(marks.begin(), next, *next, is_before), next, next + 1);
+  }
 }
 
 }  // namespace
+
+/// A window of the image, and where it lies there.
+struct Detector::View {
+  const ImageView& image;
+  ImageView window;
+  int u_px, v_px;
+
+  Ellipse in_image(Ellipse e) const noexcept {
+    e.u_q16 += u_px * kOne_q16;
+    e.v_q16 += v_px * kOne_q16;
+    return e;
+  }
+};
 
 Status Detector::detect(const ImageView& image, Detections& out) noexcept {
   const PixelBox whole{0, 0, image.width_px - 1, image.height_px - 1};
@@ -41,72 +61,118 @@ Status Detector::detect(const ImageView& image, Detections& out) noexcept {
 }
 
 Status Detector::detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept {
-  if (!image.ok() || !options_.ok()) return Status::bad_argument;
+  if (!may_read(image)) return Status::bad_argument;
   overloaded_ = false;
   out.clear();
   for (const PixelBox& window : windows) {
     const PixelBox box = window.clipped_to(image);
-    if (box.empty()) continue;
-    search(image, box, out);
-    overloaded_ |= exhausted_;
+    if (!box.empty()) search(image, box, out);
   }
-  const auto is_before = [](const Detection& a, const Detection& b) {
-    return a.outer.v_q16 != b.outer.v_q16 ? a.outer.v_q16 < b.outer.v_q16 : a.outer.u_q16 < b.outer.u_q16;
-  };
-  // By insertion: std::sort calls itself, and the stack of a step must have a bound.
-  for (Detection* next = out.begin(); next != out.end(); ++next) {
-    std::rotate(std::upper_bound(out.begin(), next, *next, is_before), next, next + 1);
-  }
+  sort_by_rows(out);
   return Status::ok;
 }
 
-void Detector::search(const ImageView& image, const PixelBox& window, Detections& found) noexcept {
-  const ImageView view{image.row(window.v_min_px) + window.u_min_px, window.u_max_px - window.u_min_px + 1,
-                       window.v_max_px - window.v_min_px + 1, image.stride_bytes};
-  thresholds_.compute(view);
-  mask_.binarise(view, thresholds_);
-  exhausted_ = false;
-  budget_ = kMinRowBudget + view.width_px * view.height_px / kPixelsPerRow;
-  const Origin origin{window.u_min_px, window.v_min_px};
-  for (int v = 1; v + 1 < view.height_px && !exhausted_; ++v) {
-    if (options_.rings || options_.dots_dark_on_light) search_row(image, origin, v, Colour::dark, found);
-    if (options_.dots_light_on_dark) search_row(image, origin, v, Colour::light, found);
+Status Detector::measure(const ImageView& image, std::span<const Expected> expected, Detections& out) noexcept {
+  if (!may_read(image)) return Status::bad_argument;
+  overloaded_ = false;
+  out.clear();
+  for (const Expected& mark : expected) {
+    Detection found;
+    const bool there =
+        mark.kind == MarkKind::ring
+            ? measure_ring(image, mark.outer, options_.ring_ratio_q16, limits_.budget, found)
+            : measure_dot(image, mark.outer, mark.kind == MarkKind::dot_light_on_dark, limits_.budget, found);
+    if (there) keep(found, out);
   }
+  sort_by_rows(out);
+  return Status::ok;
 }
 
-// A run with nothing of its colour above may be the top of a mark.
-void Detector::search_row(const ImageView& image, Origin origin, int v, Colour colour, Detections& found) noexcept {
-  const std::int32_t min_own_q16 = least_own_share_q16(options_.ring_ratio_q16);
-  const MaskRow above = mask_.row(v - 1, colour), row = mask_.row(v, colour);
-  for (int i = 0; i < row.num_words; ++i) {
-    const std::uint64_t here = row.word(i);
-    const std::uint64_t carry = i > 0 ? row.word(i - 1) >> 63 : 0;
-    std::uint64_t starts = here & ~(here << 1 | carry) & fresh(above, row, i);
-    if (starts == 0 || std::popcount(here ^ here << 1) > kMaxChangesPerWord) continue;
-    for (; starts != 0; starts &= starts - 1) {
-      const int left = i * 64 + std::countr_zero(starts), right = row.next_clear(left) - 1;
-      if (left == 0 || above.next_set(left - 1) <= right + 1) continue;
-      Region region;
-      if (trace_region(mask_, colour, v, left, right, min_own_q16, budget_, region))
-        inspect(image, origin, region, found);
-      if (budget_ <= 0) exhausted_ = true;
-      if (exhausted_) return;
+void Detector::search(const ImageView& image, const PixelBox& box, Detections& found) noexcept {
+  const View view{image,
+                  {image.row(box.v_min_px) + box.u_min_px, box.u_max_px - box.u_min_px + 1,
+                   box.v_max_px - box.v_min_px + 1, image.stride_bytes},
+                  box.u_min_px,
+                  box.v_min_px};
+  const ImageView& window = view.window;
+  thresholds_.compute(window);
+  const int looks_q4 = seeks_dots() ? kLooksForDots_q4 : kLooksForRings_q4;
+  const int looks = kMinLooks + window.width_px * window.height_px / 16 * looks_q4;
+  const int tile_rows = (window.height_px + kTile_px - 1) / kTile_px;
+  limits_ = {.least_contrast = thresholds_.noise_gate() * 2 / 3, .budget = looks / 2};
+  for (int i_row = 0; i_row < tile_rows; ++i_row) {
+    limits_.budget = std::max(limits_.budget, 0) + looks / 2 / tile_rows;
+    row_.set_thresholds(thresholds_.tile_row(i_row), window.width_px);
+    // Every second row: the hole of the smallest mark is higher than one.
+    for (int v = i_row * kTile_px + 1; v < std::min((i_row + 1) * kTile_px, window.height_px - 1); v += 2) {
+      row_.compute(window.row(v));
+      search_row(view, v, found);
+      if (limits_.budget < 0 || found.full()) overloaded_ = true;
     }
   }
 }
 
-void Detector::inspect(const ImageView& image, Origin origin, const Region& region, Detections& found) noexcept {
-  constexpr int kMinSide_px = 3;
-  if (region.box.u_max_px - region.box.u_min_px + 1 < kMinSide_px) return;
-  if (region.box.v_max_px - region.box.v_min_px + 1 < kMinSide_px) return;
+void Detector::search_row(const View& view, int v, Detections& found) noexcept {
+  constexpr int kFar = -4 * kMaxImageWidth_px;  // no chord with such an end may cross a mark
+  const std::int32_t ratio_q8 = options_.ring_ratio_q16 >> 8;
+  const bool dots = seeks_dots();
+  int first = kFar, inner_first = kFar, inner_end = kFar, end = kFar;  // one by one, so that they stay in registers
+  std::uint64_t before = row_.word(0) & 1;
+  for (int i = 0; i < row_.num_words() && limits_.budget >= 0 && !found.full(); ++i) {
+    const std::uint64_t here = row_.word(i);
+    std::uint64_t changes = here ^ (here << 1 | before);
+    before = here >> 63;
+    if (changes == 0) continue;
+    if (count_bits(changes) > kMaxChangesPerWord) {
+      first = inner_first = inner_end = end = kFar;
+      continue;
+    }
+    for (; changes != 0; changes &= changes - 1) {
+      const int bit = std::countr_zero(changes);
+      const bool turns_light = (here >> bit & 1) != 0;
+      first = inner_first, inner_first = inner_end, inner_end = end, end = i * 64 + bit;
+      if (dots && (turns_light ? options_.dots_dark_on_light : options_.dots_light_on_dark))
+        inspect_dot(view, inner_end, end, v, !turns_light, found);
+      if (turns_light && may_cross_ring({first, inner_first, inner_end, end}, ratio_q8))
+        inspect_ring(view, {first, inner_first, inner_end, end}, v, found);
+    }
+  }
+}
+
+void Detector::inspect_ring(const View& view, const RowChord& chord, int v, Detections& found) noexcept {
   Detection mark;
-  const bool dots = region.colour == Colour::dark ? options_.dots_dark_on_light : options_.dots_light_on_dark;
-  const bool ring = options_.rings && region.colour == Colour::dark &&
-                    find_ring(image, mask_, origin, region, options_.ring_ratio_q16, budget_, mark);
-  if (!ring && !(dots && find_dot(image, origin, region, budget_, mark))) return;
-  if (!ring && in_a_ring(mark, found)) return;
-  const auto twin = [&](const Detection& other) { return other.kind == mark.kind && same_place(mark, other); };
-  if (std::none_of(found.begin(), found.end(), twin) && !found.push_back(mark)) exhausted_ = true;
+  if (!options_.rings || !seed_ring(view.window, chord, v, options_.ring_ratio_q16, limits_, mark.outer)) return;
+  mark.outer = view.in_image(mark.outer);
+  if (is_known(mark, found)) return;
+  if (measure_ring(view.image, mark.outer, options_.ring_ratio_q16, limits_.budget, mark)) keep(mark, found);
+}
+
+void Detector::inspect_dot(const View& view, int first, int end, int v, bool light, Detections& found) noexcept {
+  Detection mark;
+  if (!seed_dot(view.window, first, end, v, light, limits_, mark.outer)) return;
+  mark.kind = light ? MarkKind::dot_light_on_dark : MarkKind::dot_dark_on_light;
+  mark.outer = view.in_image(mark.outer);
+  if (is_known(mark, found)) return;
+  if (measure_dot(view.image, mark.outer, light, limits_.budget, mark)) keep(mark, found);
+}
+
+// A ring found twice, a dot found twice, or a dot that is a ring's hole.
+bool Detector::is_known(const Detection& mark, const Detections& found) const noexcept {
+  return std::any_of(found.begin(), found.end(), [&mark](const Detection& other) {
+    return (other.kind == mark.kind || other.kind == MarkKind::ring) && same_place(mark, other);
+  });
+}
+
+void Detector::keep(const Detection& mark, Detections& found) noexcept {
+  if (is_known(mark, found)) return;
+  const auto in_ring = [&mark](const Detection& other) {
+    return mark.kind == MarkKind::ring && same_place(other, mark);
+  };
+  Detection* const hole = std::find_if(found.begin(), found.end(), in_ring);
+  if (hole != found.end())
+    *hole = mark;
+  else if (!found.push_back(mark))
+    overloaded_ = true;
 }
 
 }  // namespace articam::vision

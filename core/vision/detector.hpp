@@ -5,10 +5,10 @@
 #include <span>
 
 #include "core/status.hpp"
-#include "core/vision/bit_mask.hpp"
+#include "core/vision/binary_row.hpp"
 #include "core/vision/detection.hpp"
 #include "core/vision/image_view.hpp"
-#include "core/vision/mark.hpp"
+#include "core/vision/seed.hpp"
 #include "core/vision/threshold_map.hpp"
 
 namespace articam::vision {
@@ -28,8 +28,14 @@ struct DetectorOptions {
   }
 };
 
-/// grey -> threshold map -> bit mask -> outlines -> rings and dots -> edges fitted on the grey levels.
-/// About 250 kB at the largest frame of config.hpp; remembers nothing of earlier frames.
+/// A mark that is expected, by its outer edge.
+struct Expected {
+  MarkKind kind{};
+  Ellipse outer{};
+};
+
+/// Search: grey -> threshold map -> rows of bits -> runs that may cross a mark -> chords -> seeds. Measurement: the
+/// edges near a seed, fitted on the grey levels. Remembers nothing of earlier frames.
 class Detector {
  public:
   explicit Detector(const DetectorOptions& options = {}) noexcept : options_{options} {}
@@ -42,20 +48,29 @@ class Detector {
   /// Only marks that lie wholly inside one of the windows, each of them once.
   Status detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept;
 
+  /// Measures where marks are expected, to a tenth of their diameter; reads nothing else of the frame. Those that are
+  /// not there are left out.
+  Status measure(const ImageView& image, std::span<const Expected> expected, Detections& out) noexcept;
+
   /// The last frame, or one of its windows, had more structure or marks than the fixed capacities hold.
   bool overloaded() const noexcept { return overloaded_; }
 
  private:
+  struct View;
+  bool may_read(const ImageView& image) const noexcept { return image.ok() && options_.ok(); }
+  bool seeks_dots() const noexcept { return options_.dots_light_on_dark || options_.dots_dark_on_light; }
   void search(const ImageView& image, const PixelBox& window, Detections& found) noexcept;
-  void search_row(const ImageView& image, Origin origin, int v, Colour colour, Detections& found) noexcept;
-  void inspect(const ImageView& image, Origin origin, const Region& region, Detections& found) noexcept;
+  void search_row(const View& view, int v, Detections& found) noexcept;
+  void inspect_ring(const View& view, const RowChord& chord, int v, Detections& found) noexcept;
+  void inspect_dot(const View& view, int first, int end, int v, bool light, Detections& found) noexcept;
+  bool is_known(const Detection& mark, const Detections& found) const noexcept;
+  void keep(const Detection& mark, Detections& found) noexcept;
 
   DetectorOptions options_;
   bool overloaded_{};
-  bool exhausted_{};  ///< the window being searched has used up a capacity
-  int budget_{};      ///< work that may still be done in this window, in rows of outlines
+  SearchLimits limits_{};
   ThresholdMap thresholds_;
-  BitMask mask_;
+  BinaryRow row_;
 };
 
 }  // namespace articam::vision

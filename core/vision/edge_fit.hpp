@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "core/vision/detection.hpp"
-#include "core/vision/fixed_point.hpp"
 #include "core/vision/image_view.hpp"
 
 namespace articam::vision {
@@ -14,30 +13,32 @@ enum class Inside : std::uint8_t { darker, lighter };
 /// What the fit found besides the ellipse.
 struct EdgeFit {
   Ellipse ellipse{};
+  std::uint8_t flaws{};                 ///< Flaw bits
+  std::uint16_t blur_q8{};              ///< standard deviation of the edge, px
   std::uint32_t centre_variance_q16{};  ///< of u and of v, px^2, from the scatter of the rays about the ellipse
+  std::uint32_t axis_variance_q16{};    ///< of a semi-axis, px^2: the same, and what blur may have left
   std::int32_t contrast_q4{};           ///< mean step of grey across the edge, Q4, positive
   std::int32_t roughness_q16{};         ///< RMS distance of the edge from the ellipse, in radii, Q16
   std::int32_t corners_q16{};           ///< amplitude of its third and fourth harmonic, which polygons have, in radii
 };
 
-/// Geometric mean of the semi-axes, px, Q16.
-inline std::int64_t mean_radius_q16(const Ellipse& e) noexcept {
-  return integer_sqrt(static_cast<std::uint64_t>(std::int64_t{e.m00_q16} * e.m11_q16));
-}
-
 /// Moves an ellipse onto the edge near it.
 ///
-/// The plane is normalised so that the ellipse is the unit circle, and the grey levels are read along rays from
-/// 1 - h to 1 + h radii. Their mean over the rays is the edge's profile P; its derivative P', freed of what a
-/// change of brightness or contrast along the ray would do, is the filter that tells each ray's offset
-///     rho_k = - sum_j w_j I_kj / sum_j w_j P'_j,     w = P' less its parts along 1 and P.
-/// The mean of the offsets is the size, their first harmonic the centre, the second the shape:
+/// The plane is normalised so that the ellipse is the unit circle, and the grey levels I_kj are read along rays k from
+/// 1 - h to 1 + h radii. Their mean over the rays is the edge's profile P, with the derivative D. Light that falls
+/// unevenly brightens a ray by a factor 1 + g, g = (cos t, sin t) . a, so that a ray which meets the edge at rho reads
+///     I_kj = (1 + g_k) P_j - rho_k D_j;
+/// its products with P and D give both. The mean of the profile is the size, the first harmonic of rho the centre, the
+/// second the shape:
 ///     rho(t) = s + (cos t, sin t) . c + p cos 2t + q sin 2t,  centre += M c,  M <- M (1 + s + |p q; q -p|).
 ///
 /// Shapes  `reach_q16` is the largest h allowed by what lies inside and around the edge, in radii.
 /// Errors  false where there is no edge of that polarity near the seed: the centre stays within half a radius, the
 ///         size within 30 %; `out` is unchanged then.
-bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed,
+/// Work    at most four readings of up to 128 rays, two where the seed is good, of 16 rays where there is no edge.
+///         `budget` loses kLooksPerRay for each.
+bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed, int& budget,
               EdgeFit& out) noexcept;
+inline constexpr int kLooksPerRay = 24;  ///< what a ray costs, in pixels looked at by the search
 
 }  // namespace articam::vision

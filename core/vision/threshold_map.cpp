@@ -1,126 +1,143 @@
 #include "core/vision/threshold_map.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace articam::vision {
 namespace {
-
-constexpr std::uint8_t kAllLight = 0, kAllDark = 255;
-constexpr std::uint8_t kUndecided = 1;  // never the middle of two values that differ by kMinGate or more
 
 // Bounds of the noise gate, grey levels: quantisation and weak noise below, and above a frame of texture alone
 // must not hide marks of moderate contrast.
 constexpr int kMinGate = 10, kMaxGate = 40;
 
-constexpr int kCoarsestStep = 27;
+using Byte = std::uint8_t;
+constexpr Byte larger(Byte a, Byte b) noexcept { return a > b ? a : b; }
+constexpr Byte smaller(Byte a, Byte b) noexcept { return a < b ? a : b; }
+constexpr Byte mean(Byte a, Byte b) noexcept { return static_cast<Byte>((a + b + 1) >> 1); }
 
-std::uint8_t larger(std::uint8_t a, std::uint8_t b) noexcept { return a > b ? a : b; }
+// The loops below have plain pointers, a counted length and no branch: compilers turn them into vector instructions.
 
-std::uint8_t largest_of_tile(const std::uint8_t* values) noexcept {
-  std::uint8_t result = 0;
-  for (int i = 0; i < kTile_px; ++i) result = larger(result, values[i]);
-  return result;
+// Brightest and darkest of each column of four rows. Averages of row pairs instead of pixels: they halve the noise's
+// power and cost one instruction.
+void reduce_columns(const std::array<const Byte*, 4>& rows, int width, Byte* __restrict high,
+                    Byte* __restrict low) noexcept {
+  const Byte *r0 = rows[0], *r1 = rows[1], *r2 = rows[2], *r3 = rows[3];
+  for (int u = 0; u < width; ++u) {
+    const Byte a = mean(r0[u], r1[u]), b = mean(r2[u], r3[u]);
+    high[u] = larger(a, b);
+    low[u] = static_cast<Byte>(255 - smaller(a, b));
+  }
 }
 
-// Plain pointers and a local count, so that compilers turn it into vector instructions.
-void raise_to_pair(const std::uint8_t* above, const std::uint8_t* below, std::size_t width, std::uint8_t* high,
-                   std::uint8_t* low) noexcept {
-  for (std::size_t u = 0; u < width; ++u) {
-    const auto mean = static_cast<std::uint8_t>((above[u] + below[u] + 1) >> 1);
-    const auto inverse = static_cast<std::uint8_t>(~mean);
-    const std::uint8_t old_high = high[u], old_low = low[u];
-    high[u] = larger(old_high, mean);
-    low[u] = larger(old_low, inverse);
+// out[i] = largest of columns 8 i .. 8 i + 7, by doubling the reach three times.
+void reduce_row(Byte* columns, int num_tiles, Byte* __restrict out) noexcept {
+  for (const int reach : {1, 2, 4}) {
+    for (int u = 0; u + reach < num_tiles * kTile_px; ++u) columns[u] = larger(columns[u], columns[u + reach]);
   }
+  for (int i = 0; i < num_tiles; ++i) out[i] = columns[i * kTile_px];
 }
 
 }  // namespace
 
 void ThresholdMap::compute(const ImageView& image) noexcept {
-  columns_ = (image.width_px + kTile_px - 1) / kTile_px;
-  rows_ = (image.height_px + kTile_px - 1) / kTile_px;
+  tiles_ = {(image.width_px + kTile_px - 1) / kTile_px, (image.height_px + kTile_px - 1) / kTile_px};
   reduce_to_tiles(image);
-  const int gate = noise_gate();
-  for (int step = 1; step <= kCoarsestStep; step *= 3) {
-    dilate(brightest_, step);
-    dilate(darkest_, step);
-    if (step == 1)
-      decide_textured(gate);
-    else
-      decide_flat(gate * 3 / 2);  // noise reaches further among so many more pixels
-  }
-  std::replace(threshold_.begin(), threshold_.begin() + static_cast<std::ptrdiff_t>(tiles()), kUndecided, kAllLight);
+  gate_ = find_noise_gate();
+  dilate(tiles_, brightest_.data());
+  dilate(tiles_, darkest_.data());
+  find_coarse_contrasts();
+  decide();
 }
 
-// Averages of row pairs instead of pixels: they halve the noise's power and cost one instruction.
 void ThresholdMap::reduce_to_tiles(const ImageView& image) noexcept {
-  const auto width = static_cast<std::size_t>(image.width_px);
-  std::array<std::uint8_t, kMaxTileColumns * kTile_px> high, low;
-  for (int i_row = 0; i_row < rows_; ++i_row) {
-    high.fill(0);
-    low.fill(0);
-    const int v_end = std::min((i_row + 1) * kTile_px, image.height_px);
-    for (int v = i_row * kTile_px; v < v_end; v += 2) {
-      const std::uint8_t* above = image.row(v);
-      const std::uint8_t* below = image.row(std::min(v + 1, v_end - 1));
-      raise_to_pair(above, below, width, high.data(), low.data());
-    }
-    for (int i_column = 0; i_column < columns_; ++i_column) {
-      const auto from = static_cast<std::size_t>(i_column * kTile_px), tile = offset(i_row) + from / kTile_px;
-      brightest_[tile] = largest_of_tile(&high[from]);
-      darkest_[tile] = largest_of_tile(&low[from]);
-    }
+  std::array<Byte, kMaxTileColumns * kTile_px> high, low;
+  high.fill(0);  // beyond the image's width
+  low.fill(0);
+  for (int i_row = 0; i_row < tiles_.rows; ++i_row) {
+    const auto row = [&](int v) { return image.row(std::min(i_row * kTile_px + v, image.height_px - 1)); };
+    reduce_columns({row(1), row(2), row(5), row(6)}, image.width_px, high.data(), low.data());
+    reduce_row(high.data(), tiles_.columns, &brightest_[tiles_.index(i_row, 0)]);
+    reduce_row(low.data(), tiles_.columns, &darkest_[tiles_.index(i_row, 0)]);
   }
 }
 
-// Most images have a sixth of their tiles without structure: their range is noise.
-int ThresholdMap::noise_gate() const noexcept {
+// Most images have a sixth of their tiles without structure: their range is noise, and that of nine tiles is half as
+// large again.
+int ThresholdMap::find_noise_gate() const noexcept {
   std::array<std::uint16_t, 256> count{};
   static_assert(kMaxTiles < 65536);
-  for (std::size_t i = 0; i < tiles(); ++i) ++count[static_cast<std::size_t>(brightest_[i] + darkest_[i] - 255)];
+  const std::size_t tiles = tiles_.size();
+  for (std::size_t i = 0; i < tiles; ++i) ++count[static_cast<std::size_t>(brightest_[i] + darkest_[i] - 255)];
   std::size_t below = 0;
   int range = 0;
-  while (range < 255 && (below += count[static_cast<std::size_t>(range)]) * 6 < tiles()) ++range;
-  return std::clamp(2 * range, kMinGate, kMaxGate);
+  while (range < 255 && (below += count[static_cast<std::size_t>(range)]) * 6 < tiles) ++range;
+  return std::clamp(3 * range, kMinGate, kMaxGate);
 }
 
-// Replaces each value by the largest of the 3x3 values `step` tiles apart; the border repeats its last value.
-void ThresholdMap::dilate(Map& map, int step) noexcept {
-  for (int i_row = 0; i_row < rows_; ++i_row) {
-    const std::uint8_t* above = &map[offset(std::max(i_row - step, 0))];
-    const std::uint8_t* here = &map[offset(i_row)];
-    const std::uint8_t* below = &map[offset(std::min(i_row + step, rows_ - 1))];
-    std::uint8_t* out = &scratch_[offset(i_row)];
-    for (int i = 0; i < columns_; ++i) out[i] = larger(larger(above[i], below[i]), here[i]);
+// Replaces each value by the largest of the 3x3 around it.
+void ThresholdMap::dilate(const Grid& grid, Byte* map) noexcept {
+  const int n = grid.columns;
+  std::array<Byte, kMaxTileColumns + 2> tall{};
+  std::array<Byte, kMaxTileColumns> above{}, here;
+  Byte* __restrict column = tall.data();
+  for (int i_row = 0; i_row < grid.rows; ++i_row) {
+    Byte* __restrict row = map + grid.index(i_row, 0);
+    const Byte* below = i_row + 1 < grid.rows ? row + n : row;
+    for (int i = 0; i < n; ++i) here[static_cast<std::size_t>(i)] = row[i];
+    for (int i = 0; i < n; ++i) column[i + 1] = larger(larger(above[static_cast<std::size_t>(i)], row[i]), below[i]);
+    for (int i = 0; i < n; ++i) row[i] = larger(larger(column[i], column[i + 1]), column[i + 2]);
+    above = here;
   }
-  std::array<std::uint8_t, kMaxTileColumns + 2 * kCoarsestStep> padded;
-  const auto columns = static_cast<std::size_t>(columns_), pad = static_cast<std::size_t>(step);
-  for (int i_row = 0; i_row < rows_; ++i_row) {
-    const std::uint8_t* in = &scratch_[offset(i_row)];
-    std::memset(padded.data(), in[0], pad);
-    std::memcpy(padded.data() + pad, in, columns);
-    std::memset(padded.data() + pad + columns, in[columns - 1], pad);
-    std::uint8_t* out = &map[offset(i_row)];
-    for (std::size_t i = 0; i < columns; ++i) {
-      out[i] = larger(larger(padded[i], padded[i + 2 * pad]), padded[i + pad]);
+}
+
+// Each scale's cells are the nine of the finer one that a dilated value in their middle already holds.
+void ThresholdMap::find_coarse_contrasts() noexcept {
+  Grid fine = tiles_;
+  const Byte *brightest = brightest_.data(), *darkest = darkest_.data();
+  for (Coarse& scale : coarse_) {
+    scale.grid = {(fine.columns + 2) / 3, (fine.rows + 2) / 3};
+    for (int i_row = 0; i_row < scale.grid.rows; ++i_row) {
+      for (int i = 0; i < scale.grid.columns; ++i) {
+        const std::size_t middle =
+            fine.index(std::min(3 * i_row + 1, fine.rows - 1), std::min(3 * i + 1, fine.columns - 1));
+        scale.brightest[scale.grid.index(i_row, i)] = brightest[middle];
+        scale.darkest[scale.grid.index(i_row, i)] = darkest[middle];
+      }
+    }
+    dilate(scale.grid, scale.brightest.data());
+    dilate(scale.grid, scale.darkest.data());
+    fine = scale.grid, brightest = scale.brightest.data(), darkest = scale.darkest.data();
+  }
+  const int gate = gate_ * 3 / 2;  // noise reaches further among so many more pixels
+  for (std::size_t k = kScales; k-- > 0;) {
+    Coarse& scale = coarse_[k];
+    for (int i_row = 0; i_row < scale.grid.rows; ++i_row) {
+      for (int i = 0; i < scale.grid.columns; ++i) {
+        const std::size_t cell = scale.grid.index(i_row, i);
+        const int low = 255 - scale.darkest[cell], high = scale.brightest[cell];
+        const Byte coarser =
+            k + 1 < kScales ? coarse_[k + 1].middle[coarse_[k + 1].grid.index(i_row / 3, i / 3)] : Byte{0};
+        scale.middle[cell] = high - low >= gate ? static_cast<Byte>((high + low + 1) / 2) : coarser;
+      }
     }
   }
 }
 
-void ThresholdMap::decide_textured(int gate) noexcept {
-  for (std::size_t i = 0; i < tiles(); ++i) {
-    const int low = 255 - darkest_[i], high = brightest_[i];
-    level_[i] = static_cast<std::uint8_t>((high + low + 1) / 2);
-    threshold_[i] = high - low >= gate ? level_[i] : kUndecided;
-  }
-}
-
-void ThresholdMap::decide_flat(int gate) noexcept {
-  for (std::size_t i = 0; i < tiles(); ++i) {
-    const int low = 255 - darkest_[i], high = brightest_[i];
-    if (threshold_[i] != kUndecided || high - low < gate) continue;
-    threshold_[i] = 2 * level_[i] >= high + low ? kAllLight : kAllDark;
+void ThresholdMap::decide() noexcept {
+  const Coarse& scale = coarse_[0];
+  std::array<Byte, kMaxTileColumns + 3> middle;
+  for (int i_row = 0; i_row < tiles_.rows; ++i_row) {
+    for (int i = 0; i < scale.grid.columns; ++i) {
+      const Byte value = scale.middle[scale.grid.index(i_row / 3, i)];
+      for (int k = 0; k < 3; ++k) middle[static_cast<std::size_t>(3 * i + k)] = value;
+    }
+    const std::size_t first = tiles_.index(i_row, 0);
+    const Byte *brightest = &brightest_[first], *darkest = &darkest_[first];
+    Byte* __restrict threshold = &threshold_[first];
+    for (int i = 0; i < tiles_.columns; ++i) {
+      const int sum = 255 - darkest[i] + brightest[i], range = brightest[i] + darkest[i] - 255;
+      const Byte flat = sum < 2 * middle[static_cast<std::size_t>(i)] ? kAllDark : kAllLight;
+      threshold[i] = range >= gate_ ? static_cast<Byte>((sum + 1) / 2) : flat;
+    }
   }
 }
 

@@ -18,35 +18,48 @@ inline constexpr int kMaxTileRows = (kMaxImageHeight_px + kTile_px - 1) / kTile_
 ///
 /// The threshold is the middle between the darkest and the brightest of the 3x3 tiles around. Where they
 /// differ by no more than noise, the tile is flat and wholly light or dark: the side of the middle of the
-/// nearest contrast, sought among 9x9, 27x27 and 81x81 tiles. So a light gradient moves the threshold
+/// nearest contrast, sought among about 9x9, 27x27 and 81x81 tiles. So a light gradient moves the threshold
 /// along, and the inside of a mark of any size keeps its colour.
 /// Source  the tiles of AprilTag's threshold (Wang & Olson, "AprilTag 2", IROS 2016), made multi-scale.
 class ThresholdMap {
  public:
-  /// Reads every pixel of a view that is ok().
+  static constexpr std::uint8_t kAllLight = 0, kAllDark = 255;
+
+  /// Reads every second pair of rows of a view that is ok().
   void compute(const ImageView& image) noexcept;
 
-  const std::uint8_t* tile_row(int i_row) const noexcept { return &threshold_[offset(i_row)]; }
-  int tile_columns() const noexcept { return columns_; }
+  const std::uint8_t* tile_row(int i_row) const noexcept { return &threshold_[tiles_.index(i_row, 0)]; }
+  int noise_gate() const noexcept { return gate_; }  ///< grey levels; noise alone differs by less
 
  private:
+  /// Cells of one scale: single tiles, or 3^n x 3^n of them.
+  struct Grid {
+    int columns{}, rows{};
+    std::size_t index(int i_row, int i_column) const noexcept {
+      return static_cast<std::size_t>(i_row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i_column);
+    }
+    std::size_t size() const noexcept { return index(rows, 0); }
+  };
   static constexpr std::size_t kMaxTiles = std::size_t{kMaxTileColumns} * kMaxTileRows;
-  using Map = std::array<std::uint8_t, kMaxTiles>;
+  static constexpr std::size_t kMaxCells = std::size_t{kMaxTileColumns / 3 + 1} * (kMaxTileRows / 3 + 1);
+  struct Coarse {
+    Grid grid;
+    std::array<std::uint8_t, kMaxCells> brightest, darkest;
+    std::array<std::uint8_t, kMaxCells> middle;  ///< of the nearest contrast, 0 where there is none
+  };
+  static constexpr std::size_t kScales = 3;
 
-  std::size_t offset(int i_row) const noexcept {
-    return static_cast<std::size_t>(i_row) * static_cast<std::size_t>(columns_);
-  }
-  std::size_t tiles() const noexcept { return offset(rows_); }
   void reduce_to_tiles(const ImageView& image) noexcept;
-  int noise_gate() const noexcept;
-  void dilate(Map& map, int step) noexcept;
-  void decide_textured(int gate) noexcept;
-  void decide_flat(int gate) noexcept;
+  int find_noise_gate() const noexcept;
+  void find_coarse_contrasts() noexcept;
+  void decide() noexcept;
+  static void dilate(const Grid& grid, std::uint8_t* map) noexcept;
 
-  int columns_{}, rows_{};
-  Map brightest_{}, darkest_{};  ///< darkest is kept as 255 - value, so that both grow by a maximum
-  Map threshold_{}, level_{};    ///< level: middle grey of the 3x3 tiles around
-  Map scratch_{};
+  Grid tiles_;
+  int gate_{};
+  // Of each tile, then of the 3x3 around. darkest_ holds 255 - value, so that both grow by a maximum.
+  std::array<std::uint8_t, kMaxTiles> brightest_{}, darkest_{}, threshold_{};
+  std::array<Coarse, kScales> coarse_{};
 };
 
 }  // namespace articam::vision

@@ -27,7 +27,7 @@ struct RecordingHeader {
   std::uint64_t magic{kMagic};
   std::uint32_t header_bytes{sizeof(RecordingHeader)};
   std::uint32_t crc32{};         ///< of everything behind this field
-  std::uint32_t schema{1};       ///< raised when a field of this file, a status or a reason changes its meaning
+  std::uint32_t schema{2};       ///< raised when a field of this file, a status or a reason changes its meaning
   std::uint32_t scalar_bytes{};  ///< of the tracker's numbers: 4 or 8
   std::uint64_t model_hash{};
   std::array<char, 64> model_name{};  ///< ends with a zero
@@ -76,7 +76,7 @@ struct FrameSlot {
 
 static_assert(std::endian::native == std::endian::little, "recordings are exchanged as they lie in memory");
 static_assert(std::is_trivially_copyable_v<RecordingHeader> && std::is_trivially_copyable_v<vision::Detection>);
-static_assert(sizeof(TickRecord) == 48 && sizeof(vision::Detection) == 48 && sizeof(FrameSlot) == 24);
+static_assert(sizeof(TickRecord) == 48 && sizeof(vision::Detection) == 60 && sizeof(FrameSlot) == 24);
 static_assert(kMaxDetections <= 255, "num_detections is one byte");
 
 inline constexpr std::size_t kMaxTickBytes = sizeof(TickRecord) + kMaxDetections * sizeof(vision::Detection);

@@ -40,7 +40,11 @@ inline std::uint64_t hash_of(const vision::Detections& detections) noexcept {
     for (const vision::Ellipse& e : {detection.outer, detection.inner}) {
       for (const std::int32_t x : {e.u_q16, e.v_q16, e.m00_q16, e.m10_q16, e.m11_q16}) hash.put(x);
     }
-    hash.put(detection.centre_variance_q16);
+    hash.put(detection.flaws);
+    hash.put(detection.blur_q8);
+    for (const std::uint32_t x : {detection.centre_variance_q16, detection.axis_variance_q16,
+                                  detection.inner_centre_variance_q16, detection.inner_axis_variance_q16})
+      hash.put(x);
   }
   return hash.value();
 }

@@ -125,7 +125,7 @@ TEST(DetectorAccuracy, HoldsForADotOfHalfTheFrameAndOneOfSevenPixels) {
         const test::TrueEllipse seen = test::measured(mark.outer);
         there |= std::hypot(seen.u_px - truth.u_px, seen.v_px - truth.v_px) < 0.15;  // three sigma of the small dot
       }
-      EXPECT_TRUE(there) << diameter_px;
+      EXPECT_TRUE(there) << diameter_px << " px at " << truth.u_px << ", " << truth.v_px;
     }
   }
 }
