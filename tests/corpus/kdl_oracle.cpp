@@ -38,23 +38,60 @@ std::string relax(const std::string& urdf) {
   return printer.CStr();
 }
 
-/// A joint as KDL has it: on its parent link's frame, its axis unit.
-KDL::Joint to_kdl(const urdf::Joint& joint, const KDL::Frame& origin) {
-  const KDL::Vector axis = origin.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
-  if (joint.type == urdf::Joint::PRISMATIC) return KDL::Joint(joint.name, origin.p, axis, KDL::Joint::TransAxis);
-  const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
-  if (turns) return KDL::Joint(joint.name, origin.p, axis, KDL::Joint::RotAxis);
-  return KDL::Joint(joint.name, KDL::Joint::None);
+/// What moves about or along one axis of a joint; NAME and suffix name it.
+struct Part {
+  const char* suffix;
+  KDL::Joint::JointType type;
+  KDL::Vector axis{};  ///< in the joint's frame, unit
+};
+
+/// A planar or floating joint by the definition of tools/modelgen/expand_joints.hpp, any other as it is.
+std::vector<Part> parts_of(const urdf::Joint& joint) {
+  const KDL::Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  KDL::Vector axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  axis.Normalize();
+  switch (joint.type) {
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::CONTINUOUS:
+      return {{"", KDL::Joint::RotAxis, axis}};
+    case urdf::Joint::PRISMATIC:
+      return {{"", KDL::Joint::TransAxis, axis}};
+    case urdf::Joint::PLANAR: {
+      const KDL::Vector about = z * axis;  // the shortest turn of z to the normal
+      const KDL::Rotation turn = about.Norm() > 0 ? KDL::Rotation::Rot(about, std::atan2(about.Norm(), axis.z()))
+                                                  : KDL::Rotation::RotX(std::acos(axis.z()));
+      return {{".x", KDL::Joint::TransAxis, turn * x},
+              {".y", KDL::Joint::TransAxis, turn * y},
+              {".theta", KDL::Joint::RotAxis, axis}};
+    }
+    case urdf::Joint::FLOATING:
+      return {{".x", KDL::Joint::TransAxis, x}, {".y", KDL::Joint::TransAxis, y},   {".z", KDL::Joint::TransAxis, z},
+              {".yaw", KDL::Joint::RotAxis, z}, {".pitch", KDL::Joint::RotAxis, y}, {".roll", KDL::Joint::RotAxis, x}};
+    default:
+      return {{"", KDL::Joint::None}};
+  }
+}
+
+/// The parts in a row; the first stands at the joint's origin, the last carries the child.
+void add_joint(const urdf::Joint& joint, KDL::Tree& tree) {
+  const urdf::Vector3& p = joint.parent_to_joint_origin_transform.position;
+  const urdf::Rotation& r = joint.parent_to_joint_origin_transform.rotation;
+  KDL::Frame origin(KDL::Rotation::Quaternion(r.x, r.y, r.z, r.w), KDL::Vector(p.x, p.y, p.z));
+  std::string parent = joint.parent_link_name;
+  const std::vector<Part> parts = parts_of(joint);
+  for (const Part& part : parts) {
+    const std::string name = joint.name + part.suffix, link = &part == &parts.back() ? joint.child_link_name : name;
+    const KDL::Joint kdl = part.type == KDL::Joint::None ? KDL::Joint(name, KDL::Joint::None)
+                                                         : KDL::Joint(name, origin.p, origin.M * part.axis, part.type);
+    tree.addSegment(KDL::Segment(link, kdl, origin), parent);
+    parent = link;
+    origin = KDL::Frame::Identity();
+  }
 }
 
 void add_children(const urdf::Link& link, KDL::Tree& tree) {
   for (const auto& child : link.child_links) {
-    const urdf::Joint& joint = *child->parent_joint;
-    const urdf::Pose& pose = joint.parent_to_joint_origin_transform;
-    const urdf::Rotation& r = pose.rotation;
-    const KDL::Frame origin(KDL::Rotation::Quaternion(r.x, r.y, r.z, r.w),
-                            KDL::Vector(pose.position.x, pose.position.y, pose.position.z));
-    tree.addSegment(KDL::Segment(child->name, to_kdl(joint, origin), origin), link.name);
+    add_joint(*child->parent_joint, tree);
     add_children(*child, tree);
   }
 }
@@ -69,6 +106,8 @@ KdlOracle::KdlOracle(const std::string& urdf, bool relaxed) {
   add_children(*model->getRoot(), tree_);
   q_.resize(std::max(1u, tree_.getNrOfJoints()));  // KDL reads the first of none
   for (const auto& [name, joint] : model->joints_) {
+    for (const Part& part : parts_of(*joint)) ratios_[name + part.suffix] = {name + part.suffix};
+    if (!joint->mimic) continue;
     Gear gear{name};
     for (auto at = joint; at && at->mimic; at = model->joints_[gear.leader]) {
       if (at->type == urdf::Joint::FIXED) break;

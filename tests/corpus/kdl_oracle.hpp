@@ -18,7 +18,8 @@ class KdlOracle {
 
   bool accepts() const { return accepts_; }
 
-  /// Values of the joints that mimic none; every other joint follows, and KDL takes planar and floating ones as fixed.
+  /// Values of the joints that mimic none; every other joint follows. KDL knows no planar and floating joints: they are
+  /// their parts, as our compiler names them (NAME.x, ...).
   void set(const std::map<std::string, double>& values);
   std::array<double, 3> place(const std::string& link) const;
   /// Twist of the link's origin per unit rate of every joint that mimics none: velocity, then angular velocity.
