@@ -13,8 +13,6 @@
 namespace articam::modelgen {
 namespace {
 
-std::string title(const char* kind, const std::string& name) { return fmt::format("{} '{}'", kind, name); }
-
 void check_name(const std::string& file, int line, const char* kind, const std::string& name,
                 Diagnostics& diagnostics) {
   const std::string_view reason = why_not_a_name(name);
@@ -138,9 +136,7 @@ void check_model(UrdfModel& model, const MarkersFile& markers, const ModelOption
     model.robot = "unnamed";
     diagnostics.warning(model.file, model.line, "robot", "has no name: taken as 'unnamed'");
   }
-  std::string robot = model.robot;  // never a column or a word of a line: blanks are harmless
-  std::replace(robot.begin(), robot.end(), ' ', '_');
-  check_name(model.file, model.line, "robot", robot, diagnostics);
+  check_name(model.file, model.line, "robot", model.robot, diagnostics);
   auto links = check_unique(model.file, "link", model.links, diagnostics);
   check_unique(model.file, "joint", model.joints, diagnostics);
   const auto on_world = [](const UrdfJoint& joint) { return joint.parent == "world"; };

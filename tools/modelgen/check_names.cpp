@@ -1,7 +1,8 @@
-// Names end up as string literals, columns of CSV files and words of the probe's lines.
+// Names end up as string literals and columns of CSV files.
 #include <algorithm>
 #include <array>
 
+#include "tools/modelgen/characters.hpp"
 #include "tools/modelgen/check_model.hpp"
 #include "tools/modelgen/source_file.hpp"
 
@@ -21,12 +22,9 @@ constexpr std::array<std::string_view, 97> kKeywords{
     "wchar_t", "while", "xor", "xor_eq"};
 // clang-format on
 
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Beyond letters, digits and UTF-8: what real URDF files use in names.
 bool fits_a_name(char c) {
-  constexpr std::string_view kMarks = "_-.:/[]()+@";
+  constexpr std::string_view kMarks = " _-.:/[]()+@";
   return is_letter(c) || is_digit(c) || static_cast<unsigned char>(c) >= 0x80 || kMarks.find(c) != kMarks.npos;
 }
 
@@ -36,7 +34,7 @@ std::string_view why_not_a_name(std::string_view text) {
   if (text.size() > 128) return "is longer than 128 bytes; shorten it";
   if (find_non_text(text) != text.npos) return "is not UTF-8, by a character reference; rename it";
   if (!std::all_of(text.begin(), text.end(), fits_a_name)) {
-    return "holds a blank, quote or sign that generated code and CSV columns cannot carry; rename it";
+    return "holds a quote or sign that generated code and CSV columns cannot carry; rename it";
   }
   if (std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end()) return "is a C++ keyword; rename it";
   return "";

@@ -7,10 +7,14 @@
 
 namespace articam::modelgen {
 
+/// What needs no model, so that it is told with whatever else is wrong.
+/// Errors    a q0 shorter than a pose, with numbers beyond kMaxCoordinate, whose quaternion is not one, or whose
+///           base is not in front of the camera.
+void check_start(const MarkersFile& markers, Diagnostics& diagnostics);
+
+/// The rest, of a table that has the q0.
 /// Warnings  a joint outside its limits.
-/// Errors    a q0 of the wrong length, with numbers beyond kMaxCoordinate, whose quaternion is not one, or whose base
-/// is
-///           not in front of the camera.
+/// Errors    a q0 of the wrong length.
 void check_start(const Table& table, const MarkersFile& markers, Diagnostics& diagnostics);
 
 }  // namespace articam::modelgen

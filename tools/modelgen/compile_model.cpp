@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/modelgen/check_model.hpp"
+#include "tools/modelgen/check_start.hpp"
 #include "tools/modelgen/emit_header.hpp"
 #include "tools/modelgen/expand_joints.hpp"
 #include "tools/modelgen/identifiers.hpp"
@@ -35,7 +36,7 @@ void warn_of_alike(const std::vector<std::string>& names, const char* kind, cons
   const std::vector<std::string> identifiers = to_identifiers(names, kind);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (identifiers[i] == to_identifiers({names[i]}, kind)[0]) continue;
-    diagnostics.warning(file, 0, fmt::format("{} '{}'", kind, names[i]),
+    diagnostics.warning(file, 0, title(kind, names[i]),
                         fmt::format("is {} in code: without the number it would be another's name", identifiers[i]));
   }
 }
@@ -54,6 +55,7 @@ std::optional<CompiledModel> compile_model(const CompileJob& job, Diagnostics& d
   MarkersFile markers;
   if (job.markers) {
     if (auto parsed = read_markers(*job.markers, diagnostics)) markers = std::move(*parsed);
+    check_start(markers, diagnostics);
   }
   auto model = read_urdf(job.urdf, diagnostics);
   if (!model) return std::nullopt;

@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t kMaxLength = 1000;  // a quoted value may be as long as the file
 }  // namespace
 
+std::string title(std::string_view kind, std::string_view name) { return fmt::format("{} '{}'", kind, name); }
+
 std::string to_string(const Message& message) {
   const std::string line = message.line > 0 ? fmt::format("{}:", message.line) : "";
   const char* const severity = message.severity == Severity::warning ? "warning: " : "";

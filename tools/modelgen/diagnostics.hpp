@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace articam::modelgen {
@@ -16,6 +17,9 @@ struct Message {
   std::string element;  ///< for example: joint 'door' <limit>
   std::string reason;   ///< with the remedy where there is one
 };
+
+/// How a message names an element: joint 'door'.
+std::string title(std::string_view kind, std::string_view name);
 
 /// `file:line: element: reason`. Anything that could steer a terminal is replaced by '?'.
 std::string to_string(const Message& message);

@@ -70,13 +70,15 @@ void expand_joints(UrdfModel& model, Diagnostics& diagnostics) {
       model.joints.push_back(joint);
       continue;
     }
-    const std::string title = fmt::format("joint '{}'", joint.name);
+    const std::string joint_title = title("joint", joint.name);
     if (joint.mimics) {
-      diagnostics.error(model.file, joint.mimic_line, title, "a planar or floating joint cannot mimic; remove <mimic>");
+      diagnostics.error(model.file, joint.mimic_line, joint_title,
+                        "a planar or floating joint cannot mimic; remove <mimic>");
       joint.mimics = false;
     }
     if (joint.has_limit) {
-      diagnostics.warning(model.file, joint.limit_line, title, "limits of a planar or floating joint are ignored");
+      diagnostics.warning(model.file, joint.limit_line, joint_title,
+                          "limits of a planar or floating joint are ignored");
     }
     put_parts(joint, planar ? planar_parts(axis.normalized()) : floating_parts(), model);
   }

@@ -3,12 +3,10 @@
 #include <cstddef>
 #include <set>
 
+#include "tools/modelgen/characters.hpp"
+
 namespace articam::modelgen {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-bool is_letter(char c) { return is_lower(c) || (c >= 'A' && c <= 'Z'); }
 
 std::string to_identifier(const std::string& name) {
   std::string identifier = "k";

@@ -1,7 +1,5 @@
 #include "tools/modelgen/prune.hpp"
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -29,7 +27,7 @@ void hang_on_root(TableJoint& joint) {
 
 void prune(Table& table, const std::string& file, Diagnostics& diagnostics) {
   const auto warn = [&](const TableJoint& joint, const std::string& reason) {
-    diagnostics.warning(file, joint.line, fmt::format("joint '{}'", joint.name), reason);
+    diagnostics.warning(file, joint.line, title("joint", joint.name), reason);
   };
   if (table.markers.empty()) {
     diagnostics.warning(file, 0, "robot", "no markers and no points: nothing of it can be observed");

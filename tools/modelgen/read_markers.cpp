@@ -77,7 +77,7 @@ void check_one_ratio(const MarkersFile& file, Diagnostics& diagnostics) {
     if (marker.kind != model::MarkerKind::ring || ring_ratio(marker) == 0) continue;
     if (first == nullptr) first = &marker;
     if (std::abs(ring_ratio(marker) - ring_ratio(*first)) <= kRounding * ring_ratio(*first)) continue;
-    diagnostics.error(file.file, marker.line, fmt::format("marker '{}'", marker.name),
+    diagnostics.error(file.file, marker.line, title("marker", marker.name),
                       fmt::format("its ratio of inner to outer diameter is {:.3g}, but {:.3g} in line {}; all rings of "
                                   "a model need the same",
                                   ring_ratio(marker), ring_ratio(*first), first->line));

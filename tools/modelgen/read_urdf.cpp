@@ -33,7 +33,7 @@ class ElementReader {
   ElementReader(const std::string& file, Diagnostics& diagnostics, const XMLElement& element)
       : file_{file}, diagnostics_{diagnostics}, element_{element} {
     const char* const name = element.Attribute("name");
-    title_ = fmt::format("{} '{}'", element.Name(), name != nullptr ? name : "");
+    title_ = title(element.Name(), name != nullptr ? name : "");
   }
 
   std::string required(const XMLElement& part, const char* attribute) {

@@ -36,6 +36,7 @@ struct UrdfJoint {
   double ratio{1}, offset{};
   int mimic_line{};
   std::optional<double> held;  ///< where resolve_mimics found that it stands still
+  std::string narrowed_by;     ///< the last joint that mimics it and whose limits resolve_mimics made its own
 
   bool moves() const { return type != JointType::fixed; }
 };

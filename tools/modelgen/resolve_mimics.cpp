@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
+#include "core/model/model_table.hpp"
+
 namespace articam::modelgen {
 namespace {
-
-std::string title(const UrdfJoint& joint) { return fmt::format("joint '{}'", joint.name); }
 
 class Resolver {
  public:
@@ -57,7 +58,7 @@ class Resolver {
   }
 
   void warning(const UrdfJoint& joint, const std::string& reason) {
-    diagnostics_.warning(model_.file, joint.mimic_line, title(joint), reason);
+    diagnostics_.warning(model_.file, joint.mimic_line, title("joint", joint.name), reason);
   }
 
  private:
@@ -68,7 +69,7 @@ class Resolver {
   }
 
   void refuse(UrdfJoint& joint, const std::string& reason) {
-    diagnostics_.error(model_.file, joint.mimic_line, title(joint), reason);
+    diagnostics_.error(model_.file, joint.mimic_line, title("joint", joint.name), reason);
   }
 
   UrdfModel& model_;
@@ -77,7 +78,7 @@ class Resolver {
 };
 
 void freeze(const Freeze& request, const Resolver& joints, Diagnostics& diagnostics) {
-  const std::string name = fmt::format("joint '{}'", request.joint);
+  const std::string name = title("joint", request.joint);
   const auto refuse = [&](const std::string& reason) { diagnostics.error("--freeze", 0, name, reason); };
   UrdfJoint* const joint = joints.find(request.joint);
   if (joint == nullptr) {
@@ -93,6 +94,28 @@ void freeze(const Freeze& request, const Resolver& joints, Diagnostics& diagnost
   joint->held = request.value;
 }
 
+/// The leader goes no further than its follower can; a continuous one says of itself that it turns without end.
+void narrow(const UrdfJoint& follower, UrdfJoint& leader, Resolver& joints) {
+  if (leader.type == JointType::continuous) return;
+  const auto leader_at = [&](double value) {
+    return std::abs(value) < model::kUnlimited ? (value - follower.offset) / follower.ratio
+                                               : std::copysign(model::kUnlimited, value * follower.ratio);
+  };
+  const auto rounding = [](double limit) { return 1e-6 * (1 + std::abs(limit)); };  // of a multiplier's digits
+  const auto [least, most] = std::minmax({leader_at(follower.lower), leader_at(follower.upper)});
+  if (least <= leader.lower + rounding(least) && most >= leader.upper - rounding(most)) return;
+  const double lower = std::max(leader.lower, least) + 0.0, upper = std::min(leader.upper, most) + 0.0;  // no -0
+  if (!(lower + rounding(lower) < upper)) {
+    return joints.warning(
+        follower, fmt::format("its limits leave '{}', which it mimics, no room: they are ignored", leader.name));
+  }
+  leader.lower = lower;
+  leader.upper = upper;
+  leader.narrowed_by = follower.name;
+  joints.warning(follower, fmt::format("its limits hold '{}', which it mimics, between {:.6g} and {:.6g}", leader.name,
+                                       lower, upper));
+}
+
 }  // namespace
 
 void resolve_mimics(UrdfModel& model, const ModelOptions& options, Diagnostics& diagnostics) {
@@ -102,8 +125,12 @@ void resolve_mimics(UrdfModel& model, const ModelOptions& options, Diagnostics& 
   }
   for (const Freeze& request : options.freeze) freeze(request, resolver, diagnostics);
   for (UrdfJoint& joint : model.joints) {
-    const UrdfJoint* const leader = joint.mimics ? resolver.find(joint.leader) : nullptr;
-    if (leader == nullptr || !leader->held) continue;
+    UrdfJoint* const leader = joint.mimics ? resolver.find(joint.leader) : nullptr;
+    if (leader == nullptr || leader->mimics) continue;  // refused
+    if (!leader->held) {
+      narrow(joint, *leader, resolver);
+      continue;
+    }
     joint.held = joint.ratio * *leader->held + joint.offset;
     joint.mimics = false;
     if (joint.lower <= *joint.held && *joint.held <= joint.upper) continue;

@@ -17,7 +17,7 @@ inline constexpr const char* kLines =
     "  marker NAME x y z nx ny nz               centre and outward normal, root frame, m\n"
     "  jac NAME JOINT vx vy vz wx wy wz         twist at that centre per unit joint rate, root frame\n"
     "  end\n"
-    "A model without joints answers each empty line.\n";
+    "A model without joints answers each empty line. Blanks in a name are printed as _.\n";
 
 struct ProbeTitle {
   const char* name;     ///< of the program

@@ -1,6 +1,7 @@
 #pragma once
 /// @file  Lines of joint values in, places and twists of every marker out.
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <istream>
@@ -33,6 +34,13 @@ std::optional<Vec<double, model::kNumJoints<Model>>> parse_joints(std::string_vi
   return joints;
 }
 
+/// A name as one word of a line, its blanks as `_`.
+inline std::string word(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), ' ', '_');
+  return text;
+}
+
 inline void print(const Vec<double, 3>& v, std::FILE* out) {
   std::fprintf(out, " %.17g %.17g %.17g", v[0], v[1], v[2]);
 }
@@ -42,7 +50,7 @@ template <class Model>
 void print_block(const model::Kinematics<Model, double>& kinematics, std::FILE* out) {
   for (std::size_t m = 0; m < Model::kMarkers.size(); ++m) {
     const auto& row = Model::kMarkers[m];
-    const std::string name(row.name);
+    const std::string name = word(row.name);
     std::fprintf(out, "marker %s", name.c_str());
     print(kinematics.markers[m].centre, out);
     print(kinematics.markers[m].normal, out);
@@ -52,7 +60,7 @@ void print_block(const model::Kinematics<Model, double>& kinematics, std::FILE* 
     for (int j = 0; j < model::kNumJoints<Model>; ++j) {
       const auto& joint = model::kValueRows<Model>[static_cast<std::size_t>(j)];
       const model::Twist<double> twist{J.template block<3, 1>(0, 6 + j), J.template block<3, 1>(3, 6 + j)};
-      std::fprintf(out, "jac %s %s", name.c_str(), std::string(joint.name).c_str());
+      std::fprintf(out, "jac %s %s", name.c_str(), word(joint.name).c_str());
       print(twist.velocity_of(kinematics.markers[m].centre), out);
       print(twist.angular, out);
       std::fputc('\n', out);
@@ -66,7 +74,7 @@ void print_block(const model::Kinematics<Model, double>& kinematics, std::FILE* 
 template <class Model>
 int run(std::istream& in, std::FILE* out, std::FILE* err) {
   std::fputs("joints", out);
-  for (const auto& joint : model::kValueRows<Model>) std::fprintf(out, " %s", std::string(joint.name).c_str());
+  for (const auto& joint : model::kValueRows<Model>) std::fprintf(out, " %s", word(joint.name).c_str());
   std::fputc('\n', out);
   std::fflush(out);
   std::string line;

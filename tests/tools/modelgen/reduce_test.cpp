@@ -240,10 +240,11 @@ TEST(Reduce, ChecksTheStartAgainstTheTable) {
   EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0, 0"), kUnused);
   EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0"),
             kUnused + "m.yaml:3: q0: has 8 numbers instead of 9: px py pz qw qx qy qz shoulder reach\n");
-  EXPECT_EQ(start("0, 0, 1, 1, 1, 0, 0, 0, 0"), kUnused + "m.yaml:3: q0: its quaternion has norm 1.414, not 1\n");
-  EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0, 1e300"), kUnused + "m.yaml:3: q0: a number is beyond 1e+06\n");
+  EXPECT_EQ(start("0, 0, 1, 1, 1, 0, 0, 0, 0"), "m.yaml:3: q0: its quaternion has norm 1.414, not 1\n");
+  EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 0, 1e300"), "m.yaml:3: q0: a number is beyond 1e+06\n");
   EXPECT_EQ(start("0, 0, -1, 1, 0, 0, 0, 0, 0"),
-            kUnused + "m.yaml:3: q0: pz is not positive: the base is not in front of the camera\n");
+            "m.yaml:3: q0: pz is not positive: the base is not in front of the camera\n");
+  EXPECT_EQ(start("0, 0, 1"), "m.yaml:3: q0: has 3 numbers; it needs px py pz qw qx qy qz, then the joints\n");
   EXPECT_EQ(start("0, 0, 1, 1, 0, 0, 0, 5, 0"), kUnused + "m.yaml:3: q0: warning: shoulder is outside its limits\n");
 }
 

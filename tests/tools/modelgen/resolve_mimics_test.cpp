@@ -95,6 +95,38 @@ TEST(ResolveMimics, LetsAPartOfAPlanarJointLead) {
   EXPECT_EQ(outcome.model->table.values().size(), 3u);
 }
 
+TEST(ResolveMimics, HoldsALeaderWithinTheLimitsOfItsFollowers) {
+  const auto limited = [](const char* multiplier, const char* lower, const char* upper) {
+    return compile({"a type='revolute'><limit lower='-1' upper='2'/>",
+                    std::string("b type='revolute'><limit lower='") + lower + "' upper='" + upper +
+                        "'/><mimic joint='a' offset='.5' multiplier='" + multiplier + "'/>"});
+  };
+  const auto turned = limited("-2", "-1.5", "9");  // b = -2 a + .5 is above -1.5 while a is below 1
+  EXPECT_EQ(turned.messages, "m.urdf:4: joint 'b': warning: its limits hold 'a', which it mimics, between -1 and 1\n");
+  EXPECT_EQ(turned.model->table.joints[0].q_min, -1);
+  EXPECT_EQ(turned.model->table.joints[0].q_max, 1);
+  const auto wide = limited("1", "-0.5000001", "2.5");  // the digits of a rounded limit narrow nothing
+  EXPECT_EQ(wide.messages, "");
+  EXPECT_EQ(wide.model->table.joints[0].q_max, 2);
+  const auto open = limited("1", "0", "1e9");  // above -.5, and without an end
+  EXPECT_EQ(open.model->table.joints[0].q_min, -.5);
+  EXPECT_EQ(open.model->table.joints[0].q_max, 2);
+  for (const char* lower : {"7", "2.5"}) {  // out of reach, or in reach at one end only: a slip in the file
+    const auto never = limited("1", lower, "8");
+    EXPECT_EQ(never.messages,
+              "m.urdf:4: joint 'b': warning: its limits leave 'a', which it mimics, no room: they are ignored\n");
+    EXPECT_EQ(never.model->table.joints[0].q_max, 2);
+  }
+}
+
+TEST(ResolveMimics, LeavesAContinuousLeaderItsTurns) {
+  const auto outcome =
+      compile({"a " + kTurns, "b type='prismatic'><limit lower='0' upper='1'/><mimic joint='a' multiplier='.1'/>"});
+  ASSERT_TRUE(outcome.model) << outcome.messages;
+  EXPECT_EQ(outcome.messages, "");
+  EXPECT_EQ(outcome.model->table.joints[0].q_max, model::kUnlimited);
+}
+
 TEST(ResolveMimics, RefusesToFreezeWhatCannotBeFrozen) {
   EXPECT_EQ(
       compile({"a " + kFixed, "b " + kTurns, "c " + mimics("b")}, {{"x", 0}, {"a", 0}, {"c", 0}, {"b", 0}, {"b", 1}})

@@ -102,6 +102,11 @@ void expect_model() {
   expect_block<Model>(oracle, values, block);
 }
 
+TEST(Word, HasNoBlank) {
+  EXPECT_EQ(word("left door"), "left_door");
+  EXPECT_EQ(word("hinge"), "hinge");
+}
+
 TEST(Probe, AgreesWithASecondReadingOfTheUrdfForEveryStaticModel) {
   for (const auto name : models::kStaticModelNames) {
     SCOPED_TRACE(name);
