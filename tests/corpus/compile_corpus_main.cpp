@@ -10,6 +10,7 @@
 #include "core/model/table_hash.hpp"
 #include "tools/modelgen/compile_model.hpp"
 #include "tools/modelgen/emit_rows.hpp"
+#include "tools/modelgen/output_files.hpp"
 #include "tools/modelgen/read_urdf.hpp"
 
 namespace {
@@ -79,8 +80,8 @@ std::string list_entries(std::size_t count) {
 }
 
 bool write(const std::filesystem::path& path, const std::string& text) {
-  const std::string problem = write_whole_file(path.string(), text);
-  if (!problem.empty()) std::fprintf(stderr, "%s: %s\n", path.c_str(), problem.c_str());
+  const std::string problem = write_files({{path.string(), text}});
+  if (!problem.empty()) std::fprintf(stderr, "%s\n", problem.c_str());
   return problem.empty();
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 
+#include "tools/command_line.hpp"
 #include "tools/listen/json_output.hpp"
 #include "tools/listen/source.hpp"
 
@@ -94,11 +95,7 @@ std::optional<int> parse_options(int argc, const char* const* argv, Options& out
   declare_input(app, texts, out);
   declare_outputs(app, texts, out);
   declare_end(app, texts, out);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {
-    return app.exit(stop) == 0 ? kDone : kWrongUsage;
-  }
+  if (const auto exit_code = tools::parse(app, argc, argv)) return exit_code;
   if (texts.once) out.count = 1;
   const std::string problem = parse_texts(app, texts, out);
   if (problem.empty()) return std::nullopt;

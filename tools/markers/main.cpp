@@ -7,17 +7,20 @@
 #include <vector>
 
 #include "static_models/registry.hpp"
+#include "tools/command_line.hpp"
 #include "tools/markers/layout.hpp"
 #include "tools/markers/mark.hpp"
 #include "tools/markers/options.hpp"
 #include "tools/markers/sheet_files.hpp"
 #include "tools/modelgen/compile_model.hpp"
+#include "tools/modelgen/output_files.hpp"
 #include "tools/modelgen/source_file.hpp"
 
 namespace {
 
 using namespace articam;
 using namespace articam::markers;
+using namespace articam::tools;
 
 struct MarkedModel {
   std::string name;
@@ -62,11 +65,9 @@ int write_sheets(const Options& options, const MarkedModel& model) {
   std::string why;
   const auto files = render(*sheets, model.name, options.output, options.format, why);
   if (!files) return fail(kRefused, "drawing: " + why);
-  for (const SheetFile& file : *files) {
-    why = modelgen::write_whole_file(file.path, file.bytes);
-    if (!why.empty()) return fail(kRefused, fmt::format("{}: output: {}", file.path, why));
-    fmt::print("{}\n", file.path);
-  }
+  why = modelgen::write_files(*files);
+  if (!why.empty()) return fail(kRefused, why);
+  for (const auto& file : *files) fmt::print("{}\n", file.path);
   fmt::print("{}, {} of {} {}. Print at 100 %, then measure the ruler.\n", counted(model.marks.size(), "marker"),
              counted(sheets->pages.size(), "page"), sheets->paper.name,
              sheets->paper.landscape() ? "landscape" : "portrait");

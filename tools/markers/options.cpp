@@ -4,8 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <vector>
+
+#include "tools/command_line.hpp"
 
 namespace articam::markers {
 namespace {
@@ -76,15 +77,10 @@ std::optional<int> parse_options(int argc, const char* const* argv, Options& out
   app.footer(kExamples);
   app.set_version_flag("--version", "articam-markers " ARTICAM_VERSION);
   declare(app, texts, out);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {
-    return app.exit(stop) == 0 ? kDone : kWrongUsage;
-  }
+  if (const auto exit_code = tools::parse(app, argc, argv)) return exit_code;
   const std::string problem = check(texts, out);
   if (problem.empty()) return std::nullopt;
-  fmt::print(stderr, "articam-markers: {}\nRun with --help for more information.\n", problem);
-  return kWrongUsage;
+  return tools::wrong_usage(problem);
 }
 
 }  // namespace articam::markers

@@ -10,8 +10,6 @@
 
 namespace articam::markers {
 
-inline constexpr int kDone = 0, kRefused = 1, kWrongUsage = 2;  ///< exit codes
-
 struct Options {
   std::string model;          ///< of static_models; empty: the two files
   std::string urdf, markers;  ///< files

@@ -79,17 +79,19 @@ std::optional<Format> format_of(const std::string& path) {
   return std::nullopt;
 }
 
-std::optional<std::vector<SheetFile>> render(const Sheets& sheets, const std::string& title, const std::string& path,
-                                             Format format, std::string& why) {
+using modelgen::OutputFile;
+
+std::optional<std::vector<OutputFile>> render(const Sheets& sheets, const std::string& title, const std::string& path,
+                                              Format format, std::string& why) {
   const std::size_t num_pages = sheets.pages.size();
-  std::vector<SheetFile> files;
+  std::vector<OutputFile> files;
   if (format == Format::pdf) {
-    SheetFile& file = files.emplace_back(SheetFile{path, {}});
+    OutputFile& file = files.emplace_back(OutputFile{path, {}});
     if (!draw(pdf_surface(sheets.paper, title, file.bytes), sheets, 0, num_pages, title, why)) return std::nullopt;
     return files;
   }
   for (std::size_t i = 0; i < num_pages; ++i) {
-    SheetFile file{num_pages == 1 ? path : numbered(path, i + 1), {}};
+    OutputFile file{num_pages == 1 ? path : numbered(path, i + 1), {}};
     if (!draw(svg_surface(sheets.paper, file.bytes), sheets, i, i + 1, title, why)) return std::nullopt;
     files.push_back(std::move(file));
   }

@@ -5,10 +5,13 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "tools/command_line.hpp"
 #include "tools/modelgen/arguments.hpp"
 #include "tools/modelgen/compile_model.hpp"
 #include "tools/modelgen/emit_camera.hpp"
+#include "tools/modelgen/output_files.hpp"
 #include "tools/modelgen/read_camera.hpp"
 #include "tools/modelgen/source_file.hpp"
 #include "tools/report/report.hpp"
@@ -18,11 +21,19 @@ namespace {
 using namespace articam::modelgen;
 using articam::report::Conditions;
 
-constexpr int kDone = 0, kRefused = 1, kWrongUsage = 2;
-
-/// What is to be written: each text empty where it was not asked for.
+/// What is to be written.
 struct Outcome {
-  std::string header, report;
+  std::vector<OutputFile> files;
+  std::string screen;
+
+  /// - is the screen, no path is nothing.
+  void put(const std::string& path, const std::string& text) {
+    if (path == "-") {
+      screen += text;
+    } else if (!path.empty()) {
+      files.push_back({path, text});
+    }
+  }
 };
 
 /// The report's camera and range, or nothing when the diagnostics hold an error.
@@ -44,7 +55,9 @@ std::optional<Outcome> compile_camera(const Arguments& arguments, Diagnostics& d
   const auto source = read_source(arguments.camera, diagnostics);
   const auto camera = source ? read_camera(*source, diagnostics) : std::nullopt;
   if (!camera) return std::nullopt;
-  return Outcome{emit_camera(*camera, *source, arguments.name), ""};
+  Outcome outcome;
+  outcome.put(arguments.output, emit_camera(*camera, *source, arguments.name));
+  return outcome;
 }
 
 /// Nothing when the diagnostics hold an error.
@@ -53,35 +66,30 @@ std::optional<Outcome> compile(const Arguments& arguments, const Request& reques
   const auto urdf = read_source(arguments.urdf, diagnostics);
   std::optional<SourceFile> markers;
   if (!arguments.markers.empty()) markers = read_source(arguments.markers, diagnostics);
+  const bool readable = !diagnostics.has_errors();
   const auto conditions = conditions_of(arguments, request, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  const auto model = compile_model({*urdf, markers, arguments.name, request.options}, diagnostics);
-  if (!model) return std::nullopt;
+  std::optional<CompiledModel> model;
+  if (readable) model = compile_model({*urdf, markers, arguments.name, request.options}, diagnostics);
+  if (!model || !conditions) return std::nullopt;
   Outcome outcome;
-  if (!arguments.output.empty()) outcome.header = model->header;
-  if (!arguments.report.empty()) {
-    const articam::report::Report report = articam::report::make_report(*model, *conditions, say);
-    outcome.report = arguments.report.ends_with(".json") ? to_json(report) : to_text(report);
-  }
+  outcome.put(arguments.output, model->header);
+  if (arguments.report.empty()) return outcome;
+  const articam::report::Report report = articam::report::make_report(*model, *conditions, say);
+  outcome.put(arguments.report, arguments.report.ends_with(".json") ? to_json(report) : to_text(report));
   return outcome;
-}
-
-/// Whether the file (or, for -, the screen) was written, or not asked for.
-bool write(const std::string& path, const std::string& text) {
-  if (path.empty()) return true;
-  if (path == "-") return std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-  const std::string reason = write_whole_file(path, text);
-  if (!reason.empty()) std::fprintf(stderr, "%s: output: %s\n", path.c_str(), reason.c_str());
-  return reason.empty();
 }
 
 int run(const Arguments& arguments, const Request& request) {
   Diagnostics diagnostics;
   const auto outcome = compile(arguments, request, diagnostics);
   std::fputs(diagnostics.text().c_str(), stderr);
-  if (!outcome) return kRefused;
-  const bool written = write(arguments.output, outcome->header) && write(arguments.report, outcome->report);
-  return written ? kDone : kRefused;
+  if (!outcome) return articam::tools::kRefused;
+  if (const std::string problem = write_files(outcome->files); !problem.empty()) {
+    std::fprintf(stderr, "%s\n", problem.c_str());
+    return articam::tools::kRefused;
+  }
+  const bool shown = std::fputs(outcome->screen.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  return shown ? articam::tools::kDone : articam::tools::kRefused;
 }
 
 }  // namespace
@@ -90,15 +98,9 @@ int main(int argc, char** argv) {
   CLI::App app{"Compiles a URDF and its markers, or a camera file, into a C++ header of constexpr tables."};
   Arguments arguments;
   declare(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {
-    return app.exit(stop) == 0 ? kDone : kWrongUsage;
-  }
+  if (const auto exit_code = articam::tools::parse(app, argc, argv)) return *exit_code;
   Request request;
-  if (const std::string wrong = understand(arguments, request); !wrong.empty()) {
-    std::fprintf(stderr, "%s\nRun with --help for more information.\n", wrong.c_str());
-    return kWrongUsage;
-  }
+  if (const std::string wrong = understand(arguments, request); !wrong.empty())
+    return articam::tools::wrong_usage(wrong);
   return run(arguments, request);
 }

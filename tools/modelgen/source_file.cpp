@@ -1,15 +1,11 @@
 #include "tools/modelgen/source_file.hpp"
 
-#include <fcntl.h>
 #include <sha256.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -33,16 +29,6 @@ std::size_t utf8_length(std::string_view text) {
     return tail(1) && tail(2) && tail(3) && !overlong && !beyond ? 4 : 0;
   }
   return 0;
-}
-
-bool write_all(int file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(file, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
 }
 
 }  // namespace
@@ -100,26 +86,6 @@ std::string sha256(std::string_view bytes) {
   std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
   SHA256End(&context, text.data());
   return text.data();
-}
-
-std::string write_whole_file(const std::string& path, std::string_view content) {
-  // A rename would replace the device or the symbolic link itself, not what it leads to.
-  struct stat target {};
-  if (::lstat(path.c_str(), &target) == 0 && !S_ISREG(target.st_mode)) {
-    return "is a folder, a link or a device: only a plain file is replaced";
-  }
-  std::string temporary = path + ".XXXXXX";
-  const int file = ::mkstemp(temporary.data());
-  if (file < 0) return std::string("cannot be created: ") + std::strerror(errno);
-  const mode_t mask = ::umask(0);  // mkstemp gives 0600; a header is for everybody the user allows
-  ::umask(mask);
-  const bool written = ::fchmod(file, 0666 & ~mask) == 0 && write_all(file, content) && ::fsync(file) == 0;
-  int error = written ? 0 : errno;
-  if (::close(file) != 0 && error == 0) error = errno;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return "";
-  ::unlink(temporary.c_str());
-  return std::string("cannot be written: ") + std::strerror(error);
 }
 
 }  // namespace articam::modelgen

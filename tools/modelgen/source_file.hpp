@@ -1,5 +1,5 @@
 #pragma once
-/// @file  An input as bytes, with the hash that a generated header quotes; and a file written as a whole.
+/// @file  An input as bytes, with the hash that a generated header quotes.
 
 #include <cstddef>
 #include <optional>
@@ -33,10 +33,5 @@ std::optional<SourceFile> read_source(const std::string& path, Diagnostics& diag
 
 /// SHA-256 in 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
-
-/// Writes beside the target, then renames: the target is the old file or the new one, never half of one.
-/// A target that exists and is not a regular file (a folder, a symbolic link, a device) is refused.
-/// Returns an empty text, or the reason why the target was left as it was.
-std::string write_whole_file(const std::string& path, std::string_view content);
 
 }  // namespace articam::modelgen

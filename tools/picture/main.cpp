@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <string>
 
+#include "tools/command_line.hpp"
+#include "tools/modelgen/output_files.hpp"
 #include "tools/modelgen/read_camera.hpp"
 #include "tools/picture/draw.hpp"
 
 namespace {
 
 using namespace articam;
-
-constexpr int kDone = 0, kRefused = 1, kWrongUsage = 2;
 
 struct Arguments {
   std::string urdf, markers, camera, output;
@@ -46,10 +46,22 @@ std::string picture_for(const Arguments& arguments, modelgen::Diagnostics& diagn
   if (!camera || !urdf || !markers) return {};
   const auto scene = picture::scene_of(*urdf, *markers, diagnostics);
   if (!scene) return {};
-  for (const std::string& marker : picture::hidden_markers(*scene)) {
-    diagnostics.warning(arguments.markers, 0, "marker '" + marker + "'", "the camera does not see the whole of it");
-  }
+  const auto warn = [&](const std::string& marker, const char* reason) {
+    diagnostics.warning(arguments.markers, 0, modelgen::title("marker", marker), reason);
+  };
+  for (const std::string& marker : picture::hidden_markers(*scene)) warn(marker, "is turned away, or behind something");
   return picture::draw(*scene, *camera, arguments.width_px);
+}
+
+int run(const Arguments& arguments) {
+  modelgen::Diagnostics diagnostics;
+  const std::string png = picture_for(arguments, diagnostics);
+  std::fputs(diagnostics.text().c_str(), stderr);
+  if (png.empty()) return tools::kRefused;
+  const std::string problem = modelgen::write_files({{arguments.output, png}});
+  if (problem.empty()) return tools::kDone;
+  std::fprintf(stderr, "%s\n", problem.c_str());
+  return tools::kRefused;
 }
 
 }  // namespace
@@ -58,17 +70,6 @@ int main(int argc, char** argv) {
   CLI::App app{"Draws an object as its camera sees it at the start, from its URDF and its markers."};
   Arguments arguments;
   declare(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {
-    return app.exit(stop) == 0 ? kDone : kWrongUsage;
-  }
-  modelgen::Diagnostics diagnostics;
-  const std::string png = picture_for(arguments, diagnostics);
-  std::fputs(diagnostics.text().c_str(), stderr);
-  if (png.empty()) return kRefused;
-  const std::string reason = modelgen::write_whole_file(arguments.output, png);
-  if (reason.empty()) return kDone;
-  std::fprintf(stderr, "%s: output: %s\n", arguments.output.c_str(), reason.c_str());
-  return kRefused;
+  if (const auto exit_code = tools::parse(app, argc, argv)) return *exit_code;
+  return run(arguments);
 }

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "static_models/registry.hpp"
+#include "tools/command_line.hpp"
 #include "tools/probe/model_probe.hpp"
 
 namespace {
 
-constexpr int kDone = 0, kWrongUsage = 2;
+using articam::tools::kDone, articam::tools::kWrongUsage;
 
 void declare(CLI::App& app, std::string& name, bool& list) {
   app.footer(std::string(articam::probe::kLines) +
@@ -29,11 +30,7 @@ int main(int argc, char** argv) {
   std::string name;
   bool list = false;
   declare(app, name, list);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {
-    return app.exit(stop) == 0 ? kDone : kWrongUsage;
-  }
+  if (const auto exit_code = articam::tools::parse(app, argc, argv)) return *exit_code;
   if (list) {
     for (const auto model : articam::models::kStaticModelNames) std::printf("%s\n", std::string(model).c_str());
     return kDone;

@@ -11,7 +11,8 @@ Sheets sheets_of(std::size_t count, const std::string& name = "link") {
   return lay_out(std::vector<Mark>(count, {name, MarkerKind::ring, 50, 20}), kPapers[1], 10).value();
 }
 
-std::vector<SheetFile> rendered(const Sheets& sheets, const std::string& path, const std::string& title = "model") {
+std::vector<modelgen::OutputFile> rendered(const Sheets& sheets, const std::string& path,
+                                           const std::string& title = "model") {
   std::string why;
   return render(sheets, title, path, *format_of(path), why).value();
 }

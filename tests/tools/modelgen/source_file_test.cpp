@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace articam::modelgen {
 namespace {
@@ -50,29 +49,6 @@ TEST_F(SourceFileTest, RefusesWhatCannotBeText) {
 
 TEST_F(SourceFileTest, HashesLikeFips180) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-}
-
-TEST_F(SourceFileTest, WritesTheWholeFileOrLeavesTheOldOne) {
-  const std::string path = write("old");
-  EXPECT_EQ(write_whole_file(path, "new"), "");
-  std::ifstream stream(path);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "new");
-
-  EXPECT_NE(write_whole_file((folder_ / "absent" / "file").string(), "new"), "");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "a temporary file stayed behind";
-}
-
-TEST_F(SourceFileTest, ReplacesPlainFilesOnly) {
-  fs::create_directories(folder_ / "taken");
-  fs::create_symlink(write("old"), folder_ / "link");
-  for (const std::string& path :
-       {(folder_ / "taken").string(), (folder_ / "link").string(), std::string("/dev/null")}) {
-    EXPECT_EQ(write_whole_file(path, "new"), "is a folder, a link or a device: only a plain file is replaced") << path;
-  }
-  EXPECT_TRUE(fs::is_directory(folder_ / "taken"));
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3) << "a temporary file stayed behind";
 }
 
 }  // namespace
