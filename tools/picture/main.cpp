@@ -22,7 +22,7 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.footer(
       "The pose and the joints are the q0 of the markers file. Boxes, cylinders and spheres are drawn, meshes are "
       "not.\n"
-      "A marker that is turned away, or has something before it, is named as a warning.\n"
+      "A marker that is turned away, has something before it, or is not wholly in the picture is named as a warning.\n"
       "Example:\n"
       "  articam-picture --urdf door.urdf --markers door.markers.yaml --camera front.yaml -o door.png\n"
       "Exit codes: 0 done, 1 input refused, 2 wrong usage.");
@@ -50,6 +50,7 @@ std::string picture_for(const Arguments& arguments, modelgen::Diagnostics& diagn
     diagnostics.warning(arguments.markers, 0, modelgen::title("marker", marker), reason);
   };
   for (const std::string& marker : picture::hidden_markers(*scene)) warn(marker, "is turned away, or behind something");
+  for (const std::string& marker : picture::cut_markers(*scene, *camera)) warn(marker, "is not wholly in the picture");
   return picture::draw(*scene, *camera, arguments.width_px);
 }
 

@@ -32,6 +32,10 @@ class Reader {
         }
       });
     });
+    if (num_left_out_ > 0) {
+      diagnostics_.warning(file_, first_left_out_, "<visual>",
+                           fmt::format("{} of them not drawn: only boxes, cylinders and spheres are", num_left_out_));
+    }
     return visuals;
   }
 
@@ -82,6 +86,7 @@ class Reader {
       visual.form = name == "sphere" ? Form::sphere : Form::cylinder;
       visual.size = {diameter, diameter, name == "sphere" ? diameter : numbers<1>(*solid, "length", {0})[0]};
     } else {
+      if (num_left_out_++ == 0) first_left_out_ = solid->GetLineNum();
       return std::nullopt;
     }
     if (!(visual.size.minCoeff() > 0)) {
@@ -101,6 +106,7 @@ class Reader {
   const std::string& file_;
   modelgen::Diagnostics& diagnostics_;
   std::map<std::string, Colour> colours_;
+  int num_left_out_{}, first_left_out_{};  ///< meshes and unknown shapes; the line of the first
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ struct Visual {
   Colour colour{0.7, 0.7, 0.7};
 };
 
-/// Errors  a file that read_urdf refuses, numbers that are none, sizes that are not positive: told, and left out.
+/// Warnings  meshes and other shapes, once for all.
+/// Errors    a file that read_urdf refuses, numbers that are none, sizes that are not positive: told, and left out.
 std::vector<Visual> read_visuals(const modelgen::SourceFile& urdf, modelgen::Diagnostics& diagnostics);
 
 }  // namespace articam::picture

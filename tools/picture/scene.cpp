@@ -1,6 +1,8 @@
 #include "tools/picture/scene.hpp"
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "core/math/so3.hpp"
 #include "core/math/trigonometry.hpp"
@@ -13,17 +15,19 @@ namespace {
 
 using Poses = std::map<std::string, Pose<double>>;
 
-/// Poses of all links below one, the joints at these values; joints without one stand at 0.
+/// Where a joint stands that no value is known of.
+double nearest_to_0(const modelgen::UrdfJoint& joint) { return std::clamp(0.0, joint.lower, joint.upper); }
+
+/// Poses of all links below one, the joints at these values; every joint that moves has one, or is held.
 void place_below(const std::string& link, const Pose<double>& T_cam_link, const modelgen::UrdfModel& model,
                  const std::map<std::string, double>& values, Poses& poses) {
   poses[link] = T_cam_link;
-  const auto value_of = [&](const std::string& name) { return values.contains(name) ? values.at(name) : 0.0; };
   for (const modelgen::UrdfJoint& joint : model.joints) {
     if (joint.parent != link) continue;
-    const double own = joint.mimics ? joint.ratio * value_of(joint.leader) + joint.offset : value_of(joint.name);
-    const Vec3 step = Vec3(joint.axis[0], joint.axis[1], joint.axis[2]).normalized() * joint.held.value_or(own);
     Pose<double> T_parent_child = modelgen::pose_of(joint.origin_xyz, joint.origin_rpy);
     if (joint.moves()) {
+      const double own = joint.mimics ? joint.ratio * values.at(joint.leader) + joint.offset : values.at(joint.name);
+      const Vec3 step = Vec3(joint.axis[0], joint.axis[1], joint.axis[2]).normalized() * joint.held.value_or(own);
       T_parent_child = T_parent_child * modelgen::displacement(joint.type == modelgen::JointType::prismatic, step);
     }
     place_below(joint.child, T_cam_link * T_parent_child, model, values, poses);
@@ -33,6 +37,7 @@ void place_below(const std::string& link, const Pose<double>& T_cam_link, const 
 Poses poses_at_start(const modelgen::UrdfModel& model, const modelgen::Table& table) {
   const auto& q0 = table.q0;
   std::map<std::string, double> values;
+  for (const modelgen::UrdfJoint& joint : model.joints) values[joint.name] = nearest_to_0(joint);
   std::size_t next = 7;
   for (const modelgen::TableJoint* joint : table.values()) values[joint->name] = q0[next++];
   const Pose<double> T_cam_obj{Quat<double>(q0[3], q0[4], q0[5], q0[6]).normalized(), {q0[0], q0[1], q0[2]}};
@@ -52,6 +57,24 @@ Shape mark_of(const modelgen::TableMarker& marker, const Pose<double>& T_cam_lin
           light ? kDark : kLight,
           light ? kLight : kDark,
           index};
+}
+
+/// Names of the marks of which not every point does: of the edge, a little inside, and the centre; in {cam}.
+template <class Does>
+std::vector<std::string> marks_that_fail(const Scene& scene, const Does& does) {
+  constexpr int kAround = 16;
+  std::vector<std::string> failing;
+  for (const Shape& mark : scene.shapes) {
+    if (mark.marker < 0) continue;
+    bool all = true;
+    for (int i = 0; i <= kAround; ++i) {
+      const auto turn = math::sin_cos(2 * std::numbers::pi / kAround * i);
+      const double r = i == kAround ? 0 : 0.49 * mark.size[1];
+      all = all && does(mark, mark.T_cam_shape * Vec3(r * turn.cos, r * turn.sin, 0));
+    }
+    if (!all) failing.push_back(scene.markers[static_cast<std::size_t>(mark.marker)]);
+  }
+  return failing;
 }
 
 }  // namespace
@@ -88,21 +111,19 @@ std::optional<Sight> first_met(const Ray& ray, const std::vector<Shape>& shapes)
 }
 
 std::vector<std::string> hidden_markers(const Scene& scene) {
-  constexpr int kAround = 16;
-  std::vector<std::string> hidden;
-  for (const Shape& mark : scene.shapes) {
-    if (mark.marker < 0) continue;
-    bool whole = true;
-    for (int i = 0; i <= kAround; ++i) {  // its edge, a little inside, and its centre
-      const auto turn = math::sin_cos(2 * 3.14159265358979323846 / kAround * i);
-      const double r = i == kAround ? 0 : 0.49 * mark.size[1];
-      const auto sight =
-          first_met({Vec3::Zero(), mark.T_cam_shape * Vec3(r * turn.cos, r * turn.sin, 0)}, scene.shapes);
-      whole = whole && sight && sight->shape == &mark;
-    }
-    if (!whole) hidden.push_back(scene.markers[static_cast<std::size_t>(mark.marker)]);
-  }
-  return hidden;
+  return marks_that_fail(scene, [&](const Shape& mark, const Vec3& p_cam) {
+    const auto sight = first_met({Vec3::Zero(), p_cam}, scene.shapes);
+    return sight && sight->shape == &mark;
+  });
+}
+
+std::vector<std::string> cut_markers(const Scene& scene, const CameraParameters& camera) {
+  return marks_that_fail(scene, [&](const Shape&, const Vec3& p_cam) {
+    if (!(p_cam.z() > 0)) return false;
+    const double u_px = camera.fx_px * p_cam.x() / p_cam.z() + camera.cx_px;
+    const double v_px = camera.fy_px * p_cam.y() / p_cam.z() + camera.cy_px;
+    return u_px >= 0 && v_px >= 0 && u_px <= camera.width_px - 1 && v_px <= camera.height_px - 1;
+  });
 }
 
 }  // namespace articam::picture

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/camera_parameters.hpp"
 #include "tools/modelgen/diagnostics.hpp"
 #include "tools/modelgen/source_file.hpp"
 #include "tools/picture/shape.hpp"
@@ -28,6 +29,9 @@ struct Sight {
   Hit hit;
 };
 std::optional<Sight> first_met(const Ray& ray, const std::vector<Shape>& shapes);
+
+/// Names of the marks that are not wholly in the picture, or not before the camera.
+std::vector<std::string> cut_markers(const Scene& scene, const CameraParameters& camera);
 
 /// Names of the marks of which the camera at the origin does not see the whole: turned away, or behind something.
 std::vector<std::string> hidden_markers(const Scene& scene);

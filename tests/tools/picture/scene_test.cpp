@@ -75,7 +75,32 @@ TEST(Scene, RefusesFilesThatDoNotSayWhereTheCameraStandsOrHowLargeAShapeIs) {
   }
 }
 
-TEST(Scene, LeavesMeshesOut) {
+TEST(Scene, NamesAMarkerThatIsNotWhollyInThePicture) {
+  std::string problems;
+  const auto cupboard_scene = scene(cupboard(), kMarkers + kStart, problems);
+  ASSERT_TRUE(cupboard_scene) << problems;
+  CameraParameters camera;  // the ring is 0.1 m across at 1.5 m, in the middle of the view
+  camera.width_px = camera.height_px = 101;
+  camera.fx_px = camera.fy_px = 750;
+  camera.cx_px = camera.cy_px = 50;
+  EXPECT_TRUE(cut_markers(*cupboard_scene, camera).empty());
+  camera.cx_px = 20;
+  EXPECT_EQ(cut_markers(*cupboard_scene, camera), std::vector<std::string>{"ring"});
+  EXPECT_TRUE(hidden_markers(*cupboard_scene).empty());
+}
+
+TEST(Scene, LeavesAJointThatNothingTellsOfWhereItsLimitsAreNearestTo0) {
+  const std::string lid =
+      "<link name='lid'><visual><geometry><sphere radius='0.1'/></geometry></visual></link>"
+      "<joint name='lift' type='prismatic'><parent link='shelf'/><child link='lid'/><axis xyz='0 1 0'/>"
+      "<limit lower='0.3' upper='0.6'/></joint>";
+  std::string problems;
+  const auto lifted = scene(cupboard(lid), kMarkers + kStart, problems);
+  ASSERT_TRUE(lifted) << problems;
+  EXPECT_LT((lifted->shapes[2].T_cam_shape.t - Vec3(0, 0.3, 2)).norm(), 1e-12);
+}
+
+TEST(Scene, LeavesMeshesOutAndSaysSo) {
   const std::string mesh =
       "<link name='post'><visual><geometry><mesh filename='file:///dev/zero'/></geometry></visual></link>"
       "<joint name='m' type='fixed'><parent link='shelf'/><child link='post'/></joint>";
@@ -83,6 +108,7 @@ TEST(Scene, LeavesMeshesOut) {
   const auto result = scene(cupboard(mesh), kMarkers + kStart, problems);
   ASSERT_TRUE(result) << problems;
   EXPECT_EQ(result->shapes.size(), 3u);
+  EXPECT_NE(problems.find("m.urdf:1: <visual>: warning: 1 of them not drawn"), std::string::npos) << problems;
 }
 
 }  // namespace
