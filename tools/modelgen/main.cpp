@@ -2,6 +2,7 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -47,8 +48,13 @@ std::optional<Conditions> conditions_of(const Arguments& arguments, const Reques
   return conditions;
 }
 
-void say(const char* what) {
-  if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "report: %s ...\n", what);
+/// Tells a person what takes so long: after two seconds, and then once a second.
+void say(const char* what, double share) {
+  using Clock = std::chrono::steady_clock;
+  static Clock::time_point next = Clock::now() + std::chrono::seconds(2);
+  if (Clock::now() < next || isatty(STDERR_FILENO) == 0) return;
+  next = Clock::now() + std::chrono::seconds(1);
+  std::fprintf(stderr, "report: %s, %.0f %% ...\n", what, 100 * share);
 }
 
 std::optional<Outcome> compile_camera(const Arguments& arguments, Diagnostics& diagnostics) {

@@ -8,7 +8,6 @@
 namespace articam::report {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMinDepth_m = 0.01;
 constexpr double kNoEigenvalue = 1e-10;  ///< of a matrix with ones on its diagonal: roundings stay below
 constexpr double kNoMotion = 1e-12;      ///< squared px over squared px across: what rounding leaves of none
@@ -36,6 +35,32 @@ VectorX natural_steps(const modelgen::Table& table) {
     steps[i] = is_metres(table, static_cast<std::size_t>(i)) ? 0.01 : kDegree;
   }
   return steps;
+}
+
+/// Of the inverse of a symmetric matrix with ones on its diagonal.
+struct Variances {
+  VectorX known;    ///< its diagonal, without the directions that nothing is known of
+  VectorX unknown;  ///< of every number, its squared component in these
+};
+
+Variances invert(const MatrixX& scaled) {
+  const Eigen::Index n = scaled.rows();
+  const Eigen::LLT<MatrixX> llt(scaled);
+  if (llt.info() == Eigen::Success) {
+    const VectorX variances = llt.matrixL().solve(MatrixX::Identity(n, n)).colwise().squaredNorm();
+    // No eigenvalue is below one over their sum: most often nothing more need be asked.
+    if (variances.sum() < 1 / kNoEigenvalue) return {variances, VectorX::Zero(n)};
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(scaled);
+  const VectorX& lambda = eigen.eigenvalues();
+  const MatrixX parts = eigen.eigenvectors().cwiseAbs2();
+  return {parts * lambda.unaryExpr([](double x) { return x < kNoEigenvalue ? 0.0 : 1 / x; }),
+          parts * (lambda.array() < kNoEigenvalue).cast<double>().matrix()};
+}
+
+/// Whether entry i of a step moves a mark that is seen.
+bool moves(const Information& information, Eigen::Index i) {
+  return information.sum_px2(i, i) > kNoMotion * information.across_px2[i];
 }
 
 }  // namespace
@@ -72,18 +97,28 @@ std::vector<Sight> look(const modelgen::Table& table, const View& view, const Ca
   return sights;
 }
 
-MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& use) {
+Information information(const std::vector<Sight>& sights, const std::vector<bool>& use) {
   const Eigen::Index n = sights.empty() ? 6 : sights.front().A.cols();
-  MatrixX sum = MatrixX::Zero(n, n);
+  Information known{MatrixX::Zero(n, n), VectorX::Zero(n)};
   for (std::size_t m = 0; m < sights.size(); ++m) {
-    if (use[m] && sights[m].seen()) sum += sights[m].A.transpose() * sights[m].A;
+    if (!use[m] || !sights[m].seen()) continue;
+    known.sum_px2.selfadjointView<Eigen::Lower>().rankUpdate(sights[m].A.transpose());
+    known.across_px2 += sights[m].across_px.cwiseAbs2();
   }
-  return sum;
+  known.sum_px2.triangularView<Eigen::StrictlyUpper>() = known.sum_px2.transpose();
+  return known;
 }
 
-double least_singular_px(const std::vector<Sight>& sights, const std::vector<bool>& use, const modelgen::Table& table) {
+Information information(const std::vector<Sight>& sights) {
+  return information(sights, std::vector<bool>(sights.size(), true));
+}
+
+double least_singular_px(const Information& information, const modelgen::Table& table) {
   const VectorX steps = natural_steps(table);
-  const MatrixX stepped = steps.asDiagonal() * information(sights, use) * steps.asDiagonal();
+  for (Eigen::Index i = 0; i < steps.size(); ++i) {
+    if (!moves(information, i)) return 0;
+  }
+  const MatrixX stepped = steps.asDiagonal() * information.sum_px2 * steps.asDiagonal();
   const double least = Eigen::SelfAdjointEigenSolver<MatrixX>(stepped, Eigen::EigenvaluesOnly).eigenvalues()[0];
   return std::sqrt(std::max(0.0, least));
 }
@@ -99,45 +134,27 @@ VectorX known_beforehand(const modelgen::Table& table) {
   return known;
 }
 
-Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, const VectorX& beforehand,
-            double noise_px) {
-  const MatrixX I = information(sights, use);
+Bound bound(const Information& information, const VectorX& beforehand, double noise_px) {
+  const MatrixX& I = information.sum_px2;
   const Eigen::Index n = I.rows();
-  VectorX across = VectorX::Zero(n);
-  for (std::size_t m = 0; m < sights.size(); ++m) {
-    if (use[m] && sights[m].seen()) across += sights[m].across_px.cwiseAbs2();
-  }
-  VectorX scale = VectorX::Zero(n);
+  const VectorX unknown = VectorX::Constant(n, std::numeric_limits<double>::infinity());
+  Bound result{std::vector<bool>(static_cast<std::size_t>(n)), unknown, unknown};
+  std::vector<Eigen::Index> moving;
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (I(i, i) > kNoMotion * across[i]) scale[i] = 1 / std::sqrt(I(i, i));
+    if (moves(information, i)) moving.push_back(i);
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(scale.asDiagonal() * I * scale.asDiagonal());
-  const VectorX& lambda = eigen.eigenvalues();
-  const MatrixX& U = eigen.eigenvectors();
-  const VectorX unknown = U.cwiseAbs2() * (lambda.array() < kNoEigenvalue).cast<double>().matrix();
-  const VectorX inverse = lambda.unaryExpr([](double x) { return x < kNoEigenvalue ? 0.0 : 1 / x; });
-
-  Bound result;
-  result.covariance =
-      noise_px * noise_px * (scale.asDiagonal() * U * inverse.asDiagonal() * U.transpose() * scale.asDiagonal());
-  result.deviation = result.dilution = VectorX::Constant(n, std::numeric_limits<double>::infinity());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double deviation = std::sqrt(result.covariance(i, i));
-    const bool observed = scale[i] > 0 && unknown[i] < kPartOf && deviation < beforehand[i];
-    result.observed.push_back(observed);
-    if (!observed) {
-      result.covariance.row(i).setZero();
-      result.covariance.col(i).setZero();
-      continue;
-    }
+  if (moving.empty()) return result;
+  const VectorX scale = I.diagonal()(moving).cwiseSqrt().cwiseInverse();
+  const Variances variances = invert(scale.asDiagonal() * I(moving, moving) * scale.asDiagonal());
+  for (Eigen::Index k = 0; k < scale.size(); ++k) {
+    const Eigen::Index i = moving[static_cast<std::size_t>(k)];
+    const double deviation = noise_px * scale[k] * std::sqrt(variances.known[k]);
+    if (!(variances.unknown[k] < kPartOf && deviation < beforehand[i])) continue;
+    result.observed[static_cast<std::size_t>(i)] = true;
     result.deviation[i] = deviation;
-    result.dilution[i] = result.deviation[i] * std::sqrt(across[i]) / noise_px;
+    result.dilution[i] = deviation * std::sqrt(information.across_px2[i]) / noise_px;
   }
   return result;
-}
-
-Bound bound(const std::vector<Sight>& sights, const VectorX& beforehand, double noise_px) {
-  return bound(sights, std::vector<bool>(sights.size(), true), beforehand, noise_px);
 }
 
 }  // namespace articam::report

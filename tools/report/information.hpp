@@ -42,24 +42,27 @@ struct Bound {
   /// Deviation over that of the same marks moving as far across the line of sight, all else known: 1 is ideal; a drawer
   /// seen along its axis has a large one.
   VectorX dilution;
-  MatrixX covariance;  ///< zero rows where not observed
 
   bool complete() const { return std::find(observed.begin(), observed.end(), false) == observed.end(); }
 };
 
-/// sum A'A over the marks that are seen and used, px^2.
-MatrixX information(const std::vector<Sight>& sights, const std::vector<bool>& use);
+/// What the marks of one view tell, those that are seen and used.
+struct Information {
+  MatrixX sum_px2;     ///< sum A'A
+  VectorX across_px2;  ///< sum of the squared across_px
+};
+
+/// `use[m]`: whether mark m counts.
+Information information(const std::vector<Sight>& sights, const std::vector<bool>& use);
+/// Of every mark that is seen.
+Information information(const std::vector<Sight>& sights);
 
 /// Least singular value of the stacked A in px per step of 1 cm, 1 deg: how far the marks move, all together, in the
 /// direction that is worst seen.
-double least_singular_px(const std::vector<Sight>& sights, const std::vector<bool>& use, const modelgen::Table& table);
+double least_singular_px(const Information& information, const modelgen::Table& table);
 
-/// `use[m]`: whether mark m counts. Not observed is what moves no mark by more than rounding, what has a part in an
-/// eigenvector of the Jacobi-scaled information whose eigenvalue is below 1e-10, and what is then not better known than
-/// beforehand.
-Bound bound(const std::vector<Sight>& sights, const std::vector<bool>& use, const VectorX& beforehand, double noise_px);
-
-/// The same with every mark that is seen.
-Bound bound(const std::vector<Sight>& sights, const VectorX& beforehand, double noise_px);
+/// Not observed is what moves no mark by more than rounding, what has a part in an eigenvector of the Jacobi-scaled
+/// information whose eigenvalue is below 1e-10, and what is then not better known than beforehand.
+Bound bound(const Information& information, const VectorX& beforehand, double noise_px);
 
 }  // namespace articam::report

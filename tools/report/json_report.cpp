@@ -132,6 +132,7 @@ std::string to_json(const Report& r) {
               {"held", r.table.frozen.size()},
               {"fixed", r.num_fixed},
               {"left_out", r.num_left_out}}},
+            {"narrowed", r.narrowed},
             {"conditions", conditions_json(r.conditions)},
             {"views", r.views.size()},
             {"share_complete", r.over_views.share_complete},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace articam::report {
 namespace {
@@ -12,12 +13,14 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// A view with what it shows.
 struct Looked {
   std::vector<Sight> sights;
+  Information known;
   Bound all;
 };
 
 Looked look_at_all(const modelgen::Table& table, const View& view, const Conditions& conditions) {
-  Looked looked{look(table, view, conditions.camera), {}};
-  looked.all = bound(looked.sights, known_beforehand(table), conditions.noise_px);
+  Looked looked{look(table, view, conditions.camera), {}, {}};
+  looked.known = information(looked.sights);
+  looked.all = bound(looked.known, known_beforehand(table), conditions.noise_px);
   return looked;
 }
 
@@ -92,8 +95,9 @@ Loss judge_loss(const modelgen::Table& table, const std::vector<Looked>& looked,
   std::vector<double> singular;
   for (const Looked& view : looked) {
     if (!view.sights[m].seen()) continue;
-    const Bound rest = bound(view.sights, without, beforehand, noise_px);
-    singular.push_back(least_singular_px(view.sights, without, table));
+    const Information known = information(view.sights, without);
+    const Bound rest = bound(known, beforehand, noise_px);
+    singular.push_back(least_singular_px(known, table));
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (!view.all.observed[i]) continue;
       ++counts[i].num_with;
@@ -105,6 +109,7 @@ Loss judge_loss(const modelgen::Table& table, const std::vector<Looked>& looked,
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     counts[i].name = names[i];
+    counts[i].is_of_base = i < 6;
     if (counts[i].num_without < counts[i].num_with) loss.blinded.push_back(counts[i]);
   }
   find_growth(names, growth, loss);
@@ -115,7 +120,7 @@ Loss judge_loss(const modelgen::Table& table, const std::vector<Looked>& looked,
 /// What is observed at q0 with the mark and not without.
 std::vector<std::string> lost_at_start(const modelgen::Table& table, const Looked& start, std::size_t m,
                                        double noise_px) {
-  const Bound rest = bound(start.sights, all_but(table, m), known_beforehand(table), noise_px);
+  const Bound rest = bound(information(start.sights, all_but(table, m)), known_beforehand(table), noise_px);
   const std::vector<std::string> names = freedom_names(table);
   std::vector<std::string> lost;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -126,11 +131,10 @@ std::vector<std::string> lost_at_start(const modelgen::Table& table, const Looke
 
 /// Over all views: how many are complete, and how the worst seen direction fares.
 void summarise(const modelgen::Table& table, const std::vector<Looked>& looked, Observability& result) {
-  const std::vector<bool> use(table.markers.size(), true);
   std::vector<double> singular;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < looked.size(); ++v) {
-    singular.push_back(least_singular_px(looked[v].sights, use, table));
+    singular.push_back(least_singular_px(looked[v].known, table));
     if (!looked[v].all.complete()) continue;
     result.share_complete += 1 / static_cast<double>(looked.size());
     if (singular.back() >= least) continue;
@@ -157,7 +161,7 @@ std::vector<std::string> freedom_names(const modelgen::Table& table) {
 }
 
 Observability observe(const modelgen::Table& table, const std::vector<View>& views, const View* start,
-                      const Conditions& conditions) {
+                      const Conditions& conditions, Says says) {
   std::vector<Looked> looked;
   for (const View& view : views) looked.push_back(look_at_all(table, view, conditions));
   const std::vector<std::string> names = freedom_names(table);
@@ -166,12 +170,13 @@ Observability observe(const modelgen::Table& table, const std::vector<View>& vie
     result.freedoms.push_back(judge(looked, i, names[i], is_metres(table, i)));
   }
   summarise(table, looked, result);
+  std::optional<Looked> at_start;
+  if (start != nullptr) at_start = look_at_all(table, *start, conditions);
   for (std::size_t m = 0; m < table.markers.size(); ++m) {
     if (!is_mark(table.markers[m])) continue;
+    says("what is observed", static_cast<double>(m) / static_cast<double>(table.markers.size()));
     result.losses.push_back(judge_loss(table, looked, m, conditions.noise_px));
-    if (start == nullptr) continue;
-    const Looked at_start = look_at_all(table, *start, conditions);
-    result.losses.back().at_start = lost_at_start(table, at_start, m, conditions.noise_px);
+    if (at_start) result.losses.back().at_start = lost_at_start(table, *at_start, m, conditions.noise_px);
   }
   return result;
 }

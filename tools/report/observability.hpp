@@ -26,6 +26,7 @@ struct Freedom {
 /// One degree of freedom without one mark, among the views that see the mark.
 struct Blinded {
   std::string name;
+  bool is_of_base{};
   std::size_t num_with{}, num_without{};  ///< views that observe it with the mark, and still without
 };
 
@@ -54,7 +55,7 @@ std::vector<std::string> freedom_names(const modelgen::Table& table);
 
 /// `start` is the view at q0, or null.
 Observability observe(const modelgen::Table& table, const std::vector<View>& views, const View* start,
-                      const Conditions& conditions);
+                      const Conditions& conditions, Says says = silent);
 
 /// Of numbers that may be none: NaN then.
 double median(std::vector<double> numbers);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -13,41 +14,30 @@ namespace {
 using modelgen::Table;
 using modelgen::TableMarker;
 
-VectorX middle_joints(const Table& table) {
-  const auto values = table.values();
-  VectorX joints(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    joints[static_cast<Eigen::Index>(j)] = 0.5 * (low_limit(*values[j]) + high_limit(*values[j]));
-  }
-  return joints;
-}
-
 /// The model at the middle of its joints' ranges.
 struct Layout {
   Marks marks;
   std::vector<Pose<double>> T_obj_body;
-  Vec3 normal{-Vec3::UnitZ()};  ///< mean of the marks'
-  TableMarker usual;            ///< of the kind and size that most marks have
+  Vec3 normal;        ///< mean of the marks'
+  TableMarker usual;  ///< of the kind and size that most marks have
 
   Pose<double> pose(int body) const { return body < 0 ? Pose<double>{} : T_obj_body[static_cast<std::size_t>(body)]; }
 };
 
 Layout layout_of(const Table& table) {
-  const VectorX joints = middle_joints(table);
-  Layout layout{place_marks(table, joints), place_bodies(table, joints), -Vec3::UnitZ(), {}};
-  Vec3 sum = Vec3::Zero();
+  const VectorX joints = joints_at(table, 0.5);
+  Layout layout{place_marks(table, joints), place_bodies(table, joints), {}, {}};
+  layout.normal = front_of(table, layout.marks).normal;
   std::map<std::tuple<model::MarkerKind, double, double>, int> counts;
   int most = 0;
   for (std::size_t m = 0; m < table.markers.size(); ++m) {
     const TableMarker& marker = table.markers[m];
     if (!is_mark(marker)) continue;
-    sum += layout.marks.normal[m];
     const int count = ++counts[{marker.kind, marker.outer_diameter_m, marker.inner_diameter_m}];
     if (count <= most) continue;
     most = count;
     layout.usual = marker;
   }
-  if (sum.norm() > 0.1) layout.normal = sum.normalized();
   return layout;
 }
 
@@ -134,46 +124,44 @@ Table with_mark(const Table& table, const Candidate& candidate) {
 }
 
 /// What is compared: the mean logarithm of all joints' deviations (of the base's, without joints), the knowledge of
-/// beforehand included. `known` has the views' information without the new mark.
-class Comparison {
- public:
-  Comparison(const Table& table, const std::vector<View>& views, const Conditions& conditions)
-      : table_{table}, views_{some_of(views)}, conditions_{conditions}, beforehand_{known_beforehand(table)} {
-    const std::vector<bool> all(table.markers.size(), true);
-    for (const View& view : views_) known_.push_back(information(look(table, view, conditions.camera), all));
-  }
+/// beforehand included.
+double log_deviation(const VectorX& variances) {
+  const Eigen::Index n = variances.size(), first = n > 6 ? 6 : 0;
+  return 0.5 * variances.tail(n - first).array().log().mean();
+}
 
-  double without() const {
-    double sum = 0;
-    for (const MatrixX& known : known_) sum += log_deviation(known);
-    return sum / static_cast<double>(known_.size());
-  }
+/// Variances with one more mark, whose rows of A are in units of the noise: those without, less what it tells (the
+/// matrix inversion lemma: a mark is of rank two, so no matrix need be inverted anew).
+VectorX with_rows(const MatrixX& covariance, const Eigen::Matrix<double, 2, Eigen::Dynamic>& rows) {
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> gain = covariance * rows.transpose();
+  const Eigen::Matrix2d innovation = Eigen::Matrix2d::Identity() + rows * gain;
+  const VectorX less = (gain * innovation.inverse()).cwiseProduct(gain).rowwise().sum();
+  return (covariance.diagonal() - less).cwiseMax(std::numeric_limits<double>::min());  // whatever rounding leaves
+}
 
-  double with(const Candidate& candidate) const {
-    Table one = table_;
-    one.markers = {candidate.mark};
-    double sum = 0;
-    for (std::size_t v = 0; v < views_.size(); ++v) {
-      sum += log_deviation(known_[v] + information(look(one, views_[v], conditions_.camera), {true}));
+/// Of every candidate, what it gains, see Advice.
+std::vector<double> gains_of(const Table& table, const std::vector<Candidate>& all, const std::vector<View>& views,
+                             const Conditions& conditions) {
+  Table places = table;  // the candidates as marks of one model: seen all at once
+  places.markers.clear();
+  for (const Candidate& candidate : all) places.markers.push_back(candidate.mark);
+  const MatrixX beforehand = known_beforehand(table).cwiseAbs2().cwiseInverse().asDiagonal();
+  std::vector<double> logs(all.size());
+  const std::vector<View> some = some_of(views);
+  for (const View& view : some) {
+    const MatrixX known = information(look(table, view, conditions.camera)).sum_px2;
+    const MatrixX I = known / (conditions.noise_px * conditions.noise_px) + beforehand;
+    const MatrixX covariance = I.ldlt().solve(MatrixX::Identity(I.rows(), I.cols()));
+    const double without = log_deviation(covariance.diagonal());
+    const std::vector<Sight> sights = look(places, view, conditions.camera);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!sights[i].seen()) continue;
+      logs[i] += without - log_deviation(with_rows(covariance, sights[i].A / conditions.noise_px));
     }
-    return sum / static_cast<double>(known_.size());
   }
-
- private:
-  double log_deviation(const MatrixX& information_px) const {
-    const Eigen::Index n = beforehand_.size(), first = n > 6 ? 6 : 0;
-    MatrixX I = information_px / (conditions_.noise_px * conditions_.noise_px);
-    I.diagonal() += beforehand_.cwiseAbs2().cwiseInverse();
-    const MatrixX covariance = I.ldlt().solve(MatrixX::Identity(n, n));
-    return 0.5 * covariance.diagonal().tail(n - first).array().log().mean();
-  }
-
-  const Table& table_;
-  std::vector<View> views_;
-  const Conditions& conditions_;
-  VectorX beforehand_;
-  std::vector<MatrixX> known_;
-};
+  for (double& gain : logs) gain = std::exp(gain / static_cast<double>(some.size()));
+  return logs;
+}
 
 std::vector<Effect> effects_of(const Table& table, const Candidate& candidate, const std::vector<View>& views,
                                const Conditions& conditions) {
@@ -185,8 +173,10 @@ std::vector<Effect> effects_of(const Table& table, const Candidate& candidate, c
   for (std::size_t i = first; i < names.size(); ++i) effects.push_back({names[i], is_metres(table, i), 0, 0, 0, 0});
   std::vector<std::vector<double>> without(effects.size()), with(effects.size());
   for (const View& view : views) {
-    const Bound before = bound(look(table, view, conditions.camera), beforehand, conditions.noise_px);
-    const Bound after = bound(look(more, view, conditions.camera), beforehand, conditions.noise_px);
+    const auto bound_of = [&](const Table& marked) {
+      return bound(information(look(marked, view, conditions.camera)), beforehand, conditions.noise_px);
+    };
+    const Bound before = bound_of(table), after = bound_of(more);
     for (std::size_t k = 0; k < effects.size(); ++k) {
       const double one = 1 / static_cast<double>(views.size());
       effects[k].share_without += before.observed[first + k] ? one : 0;
@@ -231,18 +221,17 @@ std::vector<Candidate> candidates(const Table& table) {
 }
 
 std::vector<Advice> advise(const Table& table, const std::vector<View>& views, const Conditions& conditions,
-                           std::size_t count) {
-  const Comparison comparison(table, views, conditions);
-  const double without = comparison.without();
+                           std::size_t count, Says says) {
+  const std::vector<Candidate> places = candidates(table);
+  const std::vector<double> gains = gains_of(table, places, views, conditions);
   std::vector<Advice> all;
-  for (const Candidate& candidate : candidates(table)) {
-    all.push_back({candidate, {}, std::exp(without - comparison.with(candidate))});
-  }
+  for (std::size_t i = 0; i < places.size(); ++i) all.push_back({places[i], {}, gains[i]});
   std::stable_sort(all.begin(), all.end(), [](const Advice& a, const Advice& b) { return a.gain > b.gain; });
   std::vector<Advice> best;
   for (const Advice& advice : all) {
     const auto same_body = [&](const Advice& b) { return b.candidate.mark.body == advice.candidate.mark.body; };
     if (std::any_of(best.begin(), best.end(), same_body)) continue;
+    says("places for one more mark", static_cast<double>(best.size()) / static_cast<double>(count));
     best.push_back(advice);
     best.back().effects = effects_of(table, advice.candidate, views, conditions);
     if (best.size() == count) break;

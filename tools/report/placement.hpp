@@ -41,6 +41,6 @@ std::vector<Candidate> candidates(const modelgen::Table& table);
 /// limits beforehand, so that a place which makes a joint observed wins; over every seventh view, which go through all
 /// directions. The effects are of bounds without such knowledge, over all views.
 std::vector<Advice> advise(const modelgen::Table& table, const std::vector<View>& views, const Conditions& conditions,
-                           std::size_t count);
+                           std::size_t count, Says says = silent);
 
 }  // namespace articam::report

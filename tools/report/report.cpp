@@ -1,5 +1,7 @@
 #include "tools/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace articam::report {
@@ -19,6 +21,10 @@ void count(const modelgen::UrdfModel& model, Report& report) {
   for (const auto& joint : model.joints) {
     const auto named = [&](const modelgen::TableJoint& row) { return row.name == joint.name; };
     const bool in_table = std::any_of(report.table.joints.begin(), report.table.joints.end(), named);
+    if (in_table && !joint.narrowed_by.empty()) {
+      report.narrowed.push_back(fmt::format("{} moves between {:.6g} and {:.6g}, where {} can follow", joint.name,
+                                            joint.lower, joint.upper, joint.narrowed_by));
+    }
     if (!joint.moves()) {
       ++report.num_fixed;
     } else if (joint.mimics) {
@@ -41,27 +47,24 @@ std::vector<Size> sizes(const modelgen::Table& table, const Conditions& conditio
 
 }  // namespace
 
-Report make_report(const modelgen::CompiledModel& model, const Conditions& conditions, void (*says)(const char*)) {
+Report make_report(const modelgen::CompiledModel& model, const Conditions& conditions, Says says) {
   Report report;
   report.table = model.table;
   report.conditions = conditions;
   count(model.model, report);
   report.sizes = sizes(model.table, conditions);
   if (report.sizes.empty()) return report;  // nothing will be seen
-  says("what is observed, over the views");
   report.views = sample_views(model.table, conditions);
   std::optional<View> start;
   if (!model.table.q0.empty()) {
     start = start_view(model.table);
-    const auto sights = look(model.table, *start, conditions.camera);
-    report.at_start = bound(sights, known_beforehand(model.table), conditions.noise_px);
-    report.start_singular_px = least_singular_px(sights, std::vector<bool>(sights.size(), true), model.table);
+    const Information known = information(look(model.table, *start, conditions.camera));
+    report.at_start = bound(known, known_beforehand(model.table), conditions.noise_px);
+    report.start_singular_px = least_singular_px(known, model.table);
   }
-  report.over_views = observe(model.table, report.views, start ? &*start : nullptr, conditions);
-  says("layouts that look alike");
-  report.symmetries = find_symmetries(model.table);
-  says("places for one more mark");
-  report.advice = advise(model.table, report.views, conditions, 3);
+  report.over_views = observe(model.table, report.views, start ? &*start : nullptr, conditions, says);
+  report.symmetries = find_symmetries(model.table, says);
+  report.advice = advise(model.table, report.views, conditions, 3, says);
   return report;
 }
 

@@ -23,6 +23,7 @@ struct Report {
   modelgen::Table table;
   std::size_t num_links{}, num_joints{};                  ///< as the file has them
   std::size_t num_mimics{}, num_fixed{}, num_left_out{};  ///< of the joints, planar and floating ones in their parts
+  std::vector<std::string> narrowed;                      ///< joints with limits of joints that mimic them
   Conditions conditions;
   std::vector<View> views;
   Observability over_views;
@@ -33,8 +34,7 @@ struct Report {
   std::vector<Advice> advice;
 };
 
-/// `says` is told what is being done, for people who wait.
-Report make_report(const modelgen::CompiledModel& model, const Conditions& conditions, void (*says)(const char*));
+Report make_report(const modelgen::CompiledModel& model, const Conditions& conditions, Says says = silent);
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);

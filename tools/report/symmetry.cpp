@@ -17,18 +17,13 @@ using modelgen::Table;
 using Permutation = std::vector<std::size_t>;
 
 constexpr int kMaxIterations = 12;
-const double kMinCosine = std::cos(30 * std::numbers::pi / 180);
+const double kMinCosine = std::cos(30 * kDegree);
 
-/// Joint values at a share of their limits; `spread` makes the shares of several joints differ.
+/// At a share of the limits; `spread` makes the shares of several joints differ.
 VectorX joints_at(const Table& table, double share, double spread) {
-  const auto values = table.values();
-  VectorX joints(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    const double low = low_limit(*values[j]), high = high_limit(*values[j]);
-    const double s = share + spread * std::fmod(static_cast<double>(j) * 0.618, 1.0);
-    joints[static_cast<Eigen::Index>(j)] = low + s * (high - low);
-  }
-  return joints;
+  const auto n = static_cast<Eigen::Index>(table.values().size());
+  const auto golden = [](Eigen::Index j) { return std::fmod(static_cast<double>(j) * 0.618, 1.0); };
+  return report::joints_at(table, VectorX::NullaryExpr(n, [&](Eigen::Index j) { return share + spread * golden(j); }));
 }
 
 /// {1} as seen from {2}: brings the first mark onto the other, its normal and the direction to a second mark with it.
@@ -60,10 +55,12 @@ class Search {
     }
   }
 
-  std::vector<Symmetry> run() {
+  std::vector<Symmetry> run(Says says) {
     if (marks_.size() < 2) return {};
     const auto [i, j] = widest_pair();
-    for (const VectorX& guess : guesses()) {
+    const std::vector<VectorX> all = guesses();
+    for (const VectorX& guess : all) {
+      says("look-alikes", static_cast<double>(&guess - all.data()) / static_cast<double>(all.size()));
       const Marks second = place_marks(table_, guess);
       for (const std::size_t a : marks_) {
         for (const std::size_t b : marks_) {
@@ -80,8 +77,8 @@ class Search {
  private:
   /// Where the second configuration is sought: here and there in the limits, and a whole turn of a joint away.
   std::vector<VectorX> guesses() const {
-    std::vector<VectorX> all{joints_, joints_at(table_, 0, 0), joints_at(table_, 0.5, 0), joints_at(table_, 1, 0),
-                             joints_at(table_, 0.9, -0.8)};
+    std::vector<VectorX> all{joints_, report::joints_at(table_, 0), report::joints_at(table_, 0.5),
+                             report::joints_at(table_, 1), joints_at(table_, 0.9, -0.8)};
     const auto values = table_.values();
     for (std::size_t j = 0; j < values.size(); ++j) {
       if (values[j]->kind != model::JointKind::revolute) continue;
@@ -170,7 +167,8 @@ class Search {
     const VectorX d = normal.H.ldlt().solve(-normal.g);
     T.t += d.head<3>();
     T.R = (math::exp_so3<double>(Vec3(d.segment<3>(3))) * T.R).normalized();
-    joints = (joints + d.tail(joints.size())).cwiseMax(joints_at(table_, 0, 0)).cwiseMin(joints_at(table_, 1, 0));
+    joints =
+        (joints + d.tail(joints.size())).cwiseMax(report::joints_at(table_, 0)).cwiseMin(report::joints_at(table_, 1));
   }
 
   void refine(Pose<double> T, VectorX joints) {
@@ -236,10 +234,10 @@ bool Symmetry::needs_identities() const {
   return false;
 }
 
-std::vector<Symmetry> find_symmetries(const Table& table) {
-  std::vector<Symmetry> all = Search(table, joints_at(table, 0.3, 0.4)).run();
+std::vector<Symmetry> find_symmetries(const Table& table, Says says) {
+  std::vector<Symmetry> all = Search(table, joints_at(table, 0.3, 0.4)).run(says);
   if (table.values().empty()) return all;
-  for (const Symmetry& closed : Search(table, joints_at(table, 0, 0)).run()) {
+  for (const Symmetry& closed : Search(table, report::joints_at(table, 0)).run(says)) {
     const auto same = [&](const Symmetry& s) {
       return closed.needs_identities() && s.takes_place_of == closed.takes_place_of;
     };

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMaxSymmetries = 8;  ///< at each of the two settin
 /// every pair of marks onto every other pair and a few joint values, by alternating assignment and Gauss-Newton steps:
 /// what it finds is true; that it finds everything is likely, not sure. A joint that the marks do not tell of is not a
 /// symmetry.
-std::vector<Symmetry> find_symmetries(const modelgen::Table& table);
+std::vector<Symmetry> find_symmetries(const modelgen::Table& table, Says says = silent);
 
 inline constexpr double kCoincidence = 0.01;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "tools/report/report.hpp"
@@ -14,8 +13,7 @@ namespace {
 /// A deviation for people: mm or deg, three digits.
 std::string amount(double deviation, bool is_metres) {
   if (!std::isfinite(deviation)) return "-";
-  return is_metres ? fmt::format("{:.3g} mm", 1e3 * deviation)
-                   : fmt::format("{:.3g} deg", deviation * 180 / std::numbers::pi);
+  return is_metres ? fmt::format("{:.3g} mm", 1e3 * deviation) : fmt::format("{:.3g} deg", deviation / kDegree);
 }
 
 std::string percent(double share) {
@@ -41,28 +39,33 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-bool is_of_base(const std::string& name) {
-  return name == "tx" || name == "ty" || name == "tz" || name == "rx" || name == "ry" || name == "rz";
+std::string narrowed_text(const Report& r) {
+  std::string text;
+  for (const std::string& joint : r.narrowed) text += "  " + joint + '\n';
+  return text;
 }
 
 std::string head_text(const Report& r) {
   const Conditions& c = r.conditions;
   const std::size_t values = r.table.values().size();
   return fmt::format(
-      "{}: what its marks will tell\n"
-      "\n"
-      "Camera {}x{}, focal length {:.0f} px. Range {:.2f} to {:.2f} m, tilt up to {:.0f} deg.\n"
-      "Noise {:g} px on each coordinate of a mark's centre. Every deviation is the Cramer-Rao bound of the centres "
-      "alone,\n"
-      "without distortion: no estimator without bias does better. Marks hide behind nothing here.\n"
-      "\n"
-      "Model\n"
-      "  {} links, {} joints: {} with a value of their own, {} that mimic, {} held, {} fixed, {} left out (no mark "
-      "moves)\n"
-      "  {} marks, {} degrees of freedom: 6 of the base, {} of joints\n",
-      r.table.robot, c.camera.width_px, c.camera.height_px, c.camera.fx_px, c.min_range_m, c.max_range_m,
-      c.max_tilt_deg, c.noise_px, r.num_links, r.num_joints, values, r.num_mimics, r.table.frozen.size(), r.num_fixed,
-      r.num_left_out, r.sizes.size(), 6 + values, values);
+             "{}: what its marks will tell\n"
+             "\n"
+             "Camera {}x{}, focal length {:.0f} px. Range {:.2f} to {:.2f} m, tilt up to {:.0f} deg.\n"
+             "Noise {:g} px on each coordinate of a mark's centre. Every deviation is the Cramer-Rao bound of the "
+             "centres "
+             "alone,\n"
+             "without distortion: no estimator without bias does better. Marks hide behind nothing here.\n"
+             "\n"
+             "Model\n"
+             "  {} links, {} joints: {} with a value of their own, {} that mimic, {} held, {} fixed, {} left out (no "
+             "mark "
+             "moves)\n"
+             "  {} marks, {} degrees of freedom: 6 of the base, {} of joints\n",
+             r.table.robot, c.camera.width_px, c.camera.height_px, c.camera.fx_px, c.min_range_m, c.max_range_m,
+             c.max_tilt_deg, c.noise_px, r.num_links, r.num_joints, values, r.num_mimics, r.table.frozen.size(),
+             r.num_fixed, r.num_left_out, r.sizes.size(), 6 + values, values) +
+         narrowed_text(r);
 }
 
 std::string sizes_text(const Report& r) {
@@ -136,7 +139,7 @@ std::string freedoms_text(const Report& r) {
 std::string blinded_text(const Loss& loss) {
   constexpr std::size_t kMost = 4;
   std::vector<Blinded> blinded = loss.blinded;
-  std::stable_partition(blinded.begin(), blinded.end(), [](const Blinded& b) { return !is_of_base(b.name); });
+  std::stable_partition(blinded.begin(), blinded.end(), [](const Blinded& b) { return !b.is_of_base; });
   std::string text;
   for (std::size_t k = 0; k < std::min(blinded.size(), kMost); ++k) {
     const Blinded& b = blinded[k];
@@ -170,7 +173,7 @@ std::string three(const Vec3& v, double unit, int digits) {
 }
 
 std::string turn_text(const Symmetry& s) {
-  const double turn_deg = s.turn_rad.norm() * 180 / std::numbers::pi;
+  const double turn_deg = s.turn_rad.norm() / kDegree;
   if (turn_deg < 0.1) return "the base where it is";
   return fmt::format("the base turned by {:.0f} deg about ({})", turn_deg, three(s.turn_rad.normalized(), 0.01, 2));
 }

@@ -4,33 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace articam::report {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-struct Front {
-  Vec3 middle{Vec3::Zero()};    ///< of the marks, {obj}
-  Vec3 normal{-Vec3::UnitZ()};  ///< mean of theirs
-};
-
-Front front_of(const modelgen::Table& table, const VectorX& joints) {
-  const Marks marks = place_marks(table, joints);
-  Front front;
-  Vec3 sum = Vec3::Zero();
-  double count = 0;
-  for (std::size_t m = 0; m < table.markers.size(); ++m) {
-    if (!is_mark(table.markers[m])) continue;
-    front.middle += marks.centre[m];
-    sum += marks.normal[m];
-    ++count;
-  }
-  if (count > 0) front.middle /= count;
-  if (sum.norm() > 0.1) front.normal = sum.normalized();  // below, the marks face every way
-  return front;
-}
 
 /// The pose of {obj} for a camera at `eye` that looks at `target`, its y down along the object's y where it can.
 Pose<double> look_at(const Vec3& eye, const Vec3& target) {
@@ -43,22 +19,14 @@ Pose<double> look_at(const Vec3& eye, const Vec3& target) {
 }
 
 std::vector<VectorX> sample_joints(const modelgen::Table& table) {
-  const auto values = table.values();
-  const auto n = static_cast<Eigen::Index>(values.size());
-  VectorX low(n), span(n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const modelgen::TableJoint& joint = *values[static_cast<std::size_t>(j)];
-    low[j] = low_limit(joint);
-    span[j] = high_limit(joint) - low[j];
-  }
-  if (n == 0) return {low};
+  const auto n = static_cast<Eigen::Index>(table.values().size());
+  if (n == 0) return {VectorX(0)};
   std::vector<VectorX> samples;
-  for (const double share : {0.1, 0.5, 0.9}) samples.emplace_back(low + share * span);
-  for (int bit = 1; n > 1 && bit <= n;
-       bit *= 2) {  // any two joints part in one of these: their numbers differ in a bit
-    VectorX mixed = low + 0.1 * span;
-    for (Eigen::Index j = 0; j < n; ++j) mixed[j] += ((j + 1) & bit) != 0 ? 0.8 * span[j] : 0;
-    samples.push_back(mixed);
+  for (const double share : {0.1, 0.5, 0.9}) samples.push_back(joints_at(table, share));
+  // The numbers of any two joints differ in a bit: in the sample of that bit they part.
+  for (Eigen::Index bit = 1; n > 1 && bit <= n; bit *= 2) {
+    samples.push_back(
+        joints_at(table, VectorX::NullaryExpr(n, [=](Eigen::Index j) { return ((j + 1) & bit) != 0 ? 0.9 : 0.1; })));
   }
   return samples;
 }
@@ -82,12 +50,39 @@ double high_limit(const modelgen::TableJoint& joint) {
   return joint.kind == model::JointKind::prismatic ? 0.5 : std::numbers::pi;
 }
 
+VectorX joints_at(const modelgen::Table& table, const VectorX& shares) {
+  const auto values = table.values();
+  return VectorX::NullaryExpr(shares.size(), [&](Eigen::Index j) {
+    const modelgen::TableJoint& joint = *values[static_cast<std::size_t>(j)];
+    return low_limit(joint) + shares[j] * (high_limit(joint) - low_limit(joint));
+  });
+}
+
+VectorX joints_at(const modelgen::Table& table, double share) {
+  return joints_at(table, VectorX::Constant(static_cast<Eigen::Index>(table.values().size()), share));
+}
+
+Front front_of(const modelgen::Table& table, const Marks& marks) {
+  Front front;
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (std::size_t m = 0; m < table.markers.size(); ++m) {
+    if (!is_mark(table.markers[m])) continue;
+    front.middle += marks.centre[m];
+    sum += marks.normal[m];
+    ++count;
+  }
+  if (count > 0) front.middle /= count;
+  if (sum.norm() > 0.1) front.normal = sum.normalized();
+  return front;
+}
+
 std::vector<View> sample_views(const modelgen::Table& table, const Conditions& conditions) {
   const std::vector<double> ranges{conditions.min_range_m, std::sqrt(conditions.min_range_m * conditions.max_range_m),
                                    conditions.max_range_m};
   std::vector<View> views;
   for (const VectorX& joints : sample_joints(table)) {
-    const Front front = front_of(table, joints);
+    const Front front = front_of(table, place_marks(table, joints));
     const Vec3 right = perpendicular(front.normal), up = front.normal.cross(right);
     for (const double range : ranges) {
       for (double tilt = 0; tilt <= conditions.max_tilt_deg; tilt += 20) {

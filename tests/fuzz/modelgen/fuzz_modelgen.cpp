@@ -58,8 +58,6 @@ void check_header(const std::string& header) {
   }
 }
 
-void silent(const char*) {}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -77,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     articam::report::Conditions conditions;
     conditions.camera = articam::report::default_camera();
     conditions.max_tilt_deg = 0;  // few views: it is about what the numbers are, not about how many
-    const auto report = articam::report::make_report(*model, conditions, silent);
+    const auto report = articam::report::make_report(*model, conditions);
     law(!to_text(report).empty() && !to_json(report).empty(), "every model has its report");
   }
   return 0;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 
 #include "tests/tools/report/static_table.hpp"
 #include "tests/tools/report/urdf_text.hpp"
@@ -11,7 +11,6 @@
 namespace articam::report {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kNoise_px = 0.3;
 
 /// Yaw, pitch, roll of R = Rz(yaw) Ry(pitch) Rx(roll).
@@ -60,9 +59,11 @@ TEST_P(PublishedBound, IsMet) {
     table.markers[1].t_body_m = Vec3(0.16, -0.125, 0.25);
   }
   const View view = view_of(scenario);
-  const Bound result = bound(look(table, view, default_camera()), known_beforehand(table), kNoise_px);
+  const Information known = information(look(table, view, default_camera()));
+  const Bound result = bound(known, known_beforehand(table), kNoise_px);
+  const MatrixX covariance = kNoise_px * kNoise_px * known.sum_px2.inverse();
   const Eigen::Matrix3d rates = euler_rates(view.T_cam_obj.R.toRotationMatrix());
-  const Eigen::Matrix3d euler = rates * result.covariance.block<3, 3>(3, 3) * rates.transpose();
+  const Eigen::Matrix3d euler = rates * covariance.block<3, 3>(3, 3) * rates.transpose();
   std::array<double, 8> got{};
   for (int i = 0; i < 3; ++i) {
     got[static_cast<std::size_t>(i)] = 1e3 * result.deviation[i];
@@ -88,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Bound, OfARotationVectorIsThePublishedOne) {
   const View view = view_of({"", 0.70, 0.08, false, false, {}});
   const modelgen::Table table = test::static_table("printer_drawer");
-  const Bound result = bound(look(table, view, default_camera()), known_beforehand(table), kNoise_px);
+  const Bound result = bound(information(look(table, view, default_camera())), known_beforehand(table), kNoise_px);
   const Vec3 expected(.309, .290, .075);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(result.deviation[3 + i] / kDegree / expected[i], 1, 0.02);
 }
@@ -98,7 +99,7 @@ TEST(Bound, SaysWhatIsNotObserved) {
   const View view = view_of({"", 0.70, 0.08, false, false, {}});
   const auto sights = look(table, view, default_camera());
   const auto observed = [&](std::vector<bool> use) {
-    return bound(sights, use, known_beforehand(table), kNoise_px).observed;
+    return bound(information(sights, use), known_beforehand(table), kNoise_px).observed;
   };
   // Without the second mark on the drawer its distance is not seen; without both, neither is the drawer.
   EXPECT_EQ(observed({1, 1, 1, 1, 1, 0}), (std::vector<bool>{1, 1, 1, 1, 1, 1, 1, 0}));
@@ -123,7 +124,7 @@ TEST(Bound, TakesNoRoundingForAnObservation) {
     view.joints = VectorX::Constant(1, angle);
     auto sights = look(table, view, default_camera());
     for (Sight& sight : sights) sight.sighting = Sighting::seen;
-    const Bound result = bound(sights, known_beforehand(table), kNoise_px);
+    const Bound result = bound(information(sights), known_beforehand(table), kNoise_px);
     EXPECT_EQ(result.observed, (std::vector<bool>{1, 1, 1, 1, 1, 1, 0}));
   }
 }

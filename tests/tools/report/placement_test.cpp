@@ -63,8 +63,9 @@ TEST(Advise, PromisesWhatTheMarkThenGives) {
       std::vector<double> deviations;
       double share = 0;
       for (const View& view : views) {
-        const Bound before = bound(look(table, view, far.camera), known_beforehand(table), far.noise_px);
-        const Bound after = bound(look(with.model->table, view, far.camera), known_beforehand(table), far.noise_px);
+        const Bound before = bound(information(look(table, view, far.camera)), known_beforehand(table), far.noise_px);
+        const Bound after =
+            bound(information(look(with.model->table, view, far.camera)), known_beforehand(table), far.noise_px);
         share += after.observed[6 + j] ? 1 / static_cast<double>(views.size()) : 0;
         if (!before.observed[6 + j] || !after.observed[6 + j]) continue;
         deviations.push_back(after.deviation[static_cast<Eigen::Index>(6 + j)]);

@@ -15,8 +15,6 @@
 namespace articam::report {
 namespace {
 
-void silent(const char*) {}
-
 Conditions conditions() {
   Conditions c;
   c.camera = default_camera();
@@ -26,7 +24,7 @@ Conditions conditions() {
 Report printer() {
   modelgen::CompiledModel model;
   model.table = test::static_table("printer_drawer");
-  return make_report(model, conditions(), silent);
+  return make_report(model, conditions());
 }
 
 TEST(Report, SaysWhatEachMarkIsGoodFor) {
@@ -58,7 +56,7 @@ TEST(Report, CallsMarksTooSmallForTheRange) {
   model.table = test::static_table("printer_drawer");
   Conditions far = conditions();
   far.max_range_m = 2.2;  // rings of 5 cm at 525 px are 12 px at 2.19 m
-  const Report report = make_report(model, far, silent);
+  const Report report = make_report(model, far);
   EXPECT_NEAR(report.sizes[0].max_range_m, 2.1875, 1e-12);
   EXPECT_NE(to_text(report).find("TOO SMALL"), std::string::npos);
   EXPECT_EQ(to_text(printer()).find("TOO SMALL"), std::string::npos);
@@ -69,11 +67,37 @@ TEST(Report, CountsLinksJointsAndWhatBecameOfThem) {
       test::compile(test::dot("a", "base", "0 0 0") + test::slide("used", "base", "drawer", "1 0 0") +
                         test::dot("b", "drawer", "0.1 0 0") + test::slide("unused", "base", "flap", "1 0 0"),
                     test::dots({"a", "b"}));
-  const Report report = make_report(model, conditions(), silent);
+  const Report report = make_report(model, conditions());
   EXPECT_EQ(report.num_links, 5u);
   EXPECT_EQ(report.num_joints, 4u);
   EXPECT_EQ(report.num_fixed, 2u);
   EXPECT_EQ(report.num_left_out, 1u);
+}
+
+TEST(Report, SaysHowFarAJointMovesForTheSakeOfOneThatMimicsIt) {
+  const auto model =
+      test::compile(test::dot("a", "base", "0 0 0") + test::slide("leads", "base", "drawer", "1 0 0") +
+                        test::dot("b", "drawer", "0.1 0 0") + "<link name='flap'/>" +
+                        test::joint("follows", "revolute", "base", "flap",
+                                    "<limit lower='0' upper='0.3'/><mimic joint='leads' multiplier='2'/>") +
+                        test::dot("c", "flap", "0 0.1 0"),
+                    test::dots({"a", "b", "c"}));
+  EXPECT_NE(
+      to_text(make_report(model, conditions())).find("  leads moves between 0 and 0.15, where follows can follow\n"),
+      std::string::npos);
+}
+
+TEST(Report, TakesAJointForNoNumberOfTheBaseWhateverItsName) {
+  const auto model =
+      test::compile(test::dot("a", "base", "-0.1 -0.1 0") + test::dot("b", "base", "0.1 -0.1 0") +
+                        test::dot("c", "base", "0.1 0.1 0") + test::dot("d", "base", "-0.05 0.1 0") +
+                        test::slide("tx", "base", "drawer", "1 0.3 0") + test::dot("e", "drawer", "0 0 0.02"),
+                    test::dots({"a", "b", "c", "d", "e"}));
+  const Report report = make_report(model, conditions());
+  const auto& blinded = report.over_views.losses.at(4).blinded;
+  ASSERT_FALSE(blinded.empty());
+  EXPECT_EQ(blinded.back().name, "tx");
+  EXPECT_FALSE(blinded.back().is_of_base);
 }
 
 TEST(Report, SaysTheSameInJson) {
@@ -93,7 +117,7 @@ TEST(Report, OfAModelWithoutMarksSaysSo) {
   modelgen::CompiledModel model;
   model.table = test::static_table("printer_drawer");
   model.table.markers.clear();
-  const Report report = make_report(model, conditions(), silent);
+  const Report report = make_report(model, conditions());
   EXPECT_NE(to_text(report).find("nothing will be observed"), std::string::npos);
   EXPECT_TRUE(nlohmann::json::parse(to_json(report))["marks"].empty());
 }
@@ -104,7 +128,7 @@ TEST(Report, CallsTheDrawerWeakAtQ0OnlyWhereItIsSeenFaceToFace) {
     modelgen::CompiledModel model;
     model.table = test::static_table("printer_drawer");
     model.table.q0 = q0;
-    const std::string text = to_text(make_report(model, conditions(), silent));
+    const std::string text = to_text(make_report(model, conditions()));
     const auto row = text.find("\n  drawer_slide");
     return text.substr(row, text.find('\n', row + 1) - row);
   };
@@ -119,7 +143,7 @@ TEST(Report, OfEveryStaticModelHasNoAngleBeyondHalfATurnAndNoNumberThatIsNone) {
     SCOPED_TRACE(name);
     modelgen::CompiledModel model;
     model.table = test::static_table(std::string(name));
-    const Report report = make_report(model, conditions(), silent);
+    const Report report = make_report(model, conditions());
     const std::string text = to_text(report);
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
     EXPECT_EQ(text.find("inf "), std::string::npos) << text;
