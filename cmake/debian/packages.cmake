@@ -8,17 +8,18 @@ if(NOT ARTICAM_GZIP)
   return()
 endif()
 
-# What Debian asks of every package: licence, change log, a manual page for each program. -n: without a date.
+# What Debian asks of every package: licence, change log in its own form (ours beside it), a manual page for each
+# program. -n: without a date.
 set(folder ${PROJECT_BINARY_DIR}/debian)
-file(MAKE_DIRECTORY ${folder})
-execute_process(COMMAND ${ARTICAM_GZIP} -9nc INPUT_FILE ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  OUTPUT_FILE ${folder}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${ARTICAM_GZIP} -9nc INPUT_FILE ${CMAKE_CURRENT_LIST_DIR}/articam.1
-  OUTPUT_FILE ${folder}/articam.1.gz COMMAND_ERROR_IS_FATAL ANY)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-  ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${CMAKE_CURRENT_LIST_DIR}/articam.1)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/changelog.in ${folder}/changelog @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${folder}/NEWS.md COPYONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/articam.1 ${folder}/articam.1 COPYONLY)
+foreach(file changelog NEWS.md articam.1)
+  execute_process(COMMAND ${ARTICAM_GZIP} -9nc INPUT_FILE ${folder}/${file}
+    OUTPUT_FILE ${folder}/${file}.gz COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 foreach(component tools dev)
-  install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright ${folder}/changelog.gz
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright ${folder}/changelog.gz ${folder}/NEWS.md.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/articam-${component} COMPONENT ${component})
 endforeach()
 install(FILES ${folder}/articam.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
