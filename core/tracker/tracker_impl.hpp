@@ -1,6 +1,7 @@
 #pragma once
 /// @file  The steps behind the front door, tracker.hpp.
 
+#include "core/tracker/look.hpp"
 #include "core/tracker/tracker.hpp"
 
 namespace articam::tracker {
@@ -139,24 +140,11 @@ void Tracker<Model, Scalar>::predict() noexcept {
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
   if (following_) {
-    FixedVector<PixelBox, static_cast<std::size_t>(model::kNumMarkers<Model>)> windows;
-    for (const Feature<Scalar>& feature : features_) {
-      if (!feature.visible) continue;
-      const Scalar reach = reach_px(feature, kTrackingGate<Scalar>) + Scalar(1.3) * feature.radius_px + Scalar(3);
-      const auto edge = [](Scalar centre, Scalar away) {
-        constexpr Scalar kFar{1e6};  // beyond any image, within any int
-        const Scalar x = centre + away;
-        return static_cast<int>(x < -kFar ? -kFar : (x > kFar ? kFar : x));
-      };
-      (void)windows.push_back({edge(feature.pixel.x(), -reach), edge(feature.pixel.y(), -reach),
-                               edge(feature.pixel.x(), reach), edge(feature.pixel.y(), reach)});
-    }
-    // The view was checked by fits(): neither call can refuse it.
-    (void)detector_.detect(image, std::span<const PixelBox>(windows.begin(), windows.size()), detections_);
+    evidence_.overloaded = tracker::look<Model, Scalar>(detector_, image, features_, detections_);
   } else {
-    (void)detector_.detect(image, detections_);
+    (void)detector_.detect(image, detections_);  // the view was checked by fits()
+    evidence_.overloaded = detector_.overloaded();
   }
-  evidence_.overloaded = detector_.overloaded();
 }
 
 template <class Model, class Scalar>

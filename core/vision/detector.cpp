@@ -62,13 +62,18 @@ Status Detector::detect(const ImageView& image, Detections& out) noexcept {
 
 Status Detector::detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept {
   if (!may_read(image)) return Status::bad_argument;
-  overloaded_ = false;
   out.clear();
+  return detect_more(image, windows, out);
+}
+
+Status Detector::detect_more(const ImageView& image, std::span<const PixelBox> windows, Detections& found) noexcept {
+  if (!may_read(image)) return Status::bad_argument;
+  overloaded_ = false;
   for (const PixelBox& window : windows) {
     const PixelBox box = window.clipped_to(image);
-    if (!box.empty()) search(image, box, out);
+    if (!box.empty()) search(image, box, found);
   }
-  sort_by_rows(out);
+  sort_by_rows(found);
   return Status::ok;
 }
 

@@ -48,6 +48,9 @@ class Detector {
   /// Only marks that lie wholly inside one of the windows, each of them once.
   Status detect(const ImageView& image, std::span<const PixelBox> windows, Detections& out) noexcept;
 
+  /// The same, added to the marks of this frame that `found` holds already.
+  Status detect_more(const ImageView& image, std::span<const PixelBox> windows, Detections& found) noexcept;
+
   /// Measures where marks are expected, to a tenth of their diameter; reads nothing else of the frame. Those that are
   /// not there are left out.
   Status measure(const ImageView& image, std::span<const Expected> expected, Detections& out) noexcept;

@@ -104,45 +104,48 @@ bool is_near(const Ellipse& e, const Ellipse& seed) noexcept {
   return 4 * (du * du + dv * dv) < radius_q16 * radius_q16 && similar(mean_radius_q16(e), radius_q16);
 }
 
-// Within what the noise leaves, or a twelfth of a pixel: the next pass would tell nothing new.
-bool is_still(const Ellipse& a, const Ellipse& b) noexcept {
-  constexpr std::int32_t kStill_q16 = kOne_q16 / 20;
-  const auto near = [](std::int32_t x, std::int32_t y) { return std::abs(x - y) < kStill_q16; };
-  return near(a.u_q16, b.u_q16) && near(a.v_q16, b.v_q16) && near(a.m00_q16, b.m00_q16) && near(a.m10_q16, b.m10_q16) &&
-         near(a.m11_q16, b.m11_q16);
+// The largest change of the centre or of M, px, Q16.
+std::int32_t change_q16(const Ellipse& a, const Ellipse& b) noexcept {
+  return std::max({std::abs(a.u_q16 - b.u_q16), std::abs(a.v_q16 - b.v_q16), std::abs(a.m00_q16 - b.m00_q16),
+                   std::abs(a.m10_q16 - b.m10_q16), std::abs(a.m11_q16 - b.m11_q16)});
+}
+
+// Half of the window across an edge of that width, radii, Q16.
+std::int64_t half_window_q16(std::int64_t width_q16, std::int64_t radius_q16) noexcept {
+  constexpr std::int64_t kWidths_q16 = 17 * kOne_q16 / 5, kSharp_q16 = 13 * kOne_q16 / 5, kBlurred_q16 = 6 * kOne_q16;
+  const std::int64_t follow_q16 = integer_sqrt(width_q16 << kQ16) * kWidths_q16 >> kQ16;
+  return (std::clamp(follow_q16 * radius_q16 >> kQ16, kSharp_q16, kBlurred_q16) << kQ16) / radius_q16;
 }
 
 }  // namespace
 
 bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed, int& budget,
               EdgeFit& out) noexcept {
-  constexpr int kMaxPasses = 4;
-  // Half of the window across the edge, px: of a seed, of a sharp edge, of any edge; and how it follows the edge's
-  // width.
-  constexpr std::int64_t kOfSeed_q16 = 9 * kOne_q16 / 2, kSharp_q16 = 13 * kOne_q16 / 5, kBlurred_q16 = 6 * kOne_q16;
-  constexpr std::int64_t kWidths_q16 = 17 * kOne_q16 / 5;
+  // Few rays until the next pass moves the ellipse by less than their noise allows to see, then all of them.
+  constexpr int kCoarseRays = 16, kCoarsePasses = 3, kFinePasses = 3;
+  constexpr std::int32_t kCoarseStill_q16 = kOne_q16 / 3, kStill_q16 = kOne_q16 / 14;
+  constexpr std::int64_t kOfSeed_q16 = 9 * kOne_q16 / 2;  // half of the first window, px
   const int sign = inside == Inside::darker ? 1 : -1;
   EdgeFit fit{.ellipse = seed};
   Edge edge{};
-  std::int32_t half_window_q16 = 0;
-  int rays = 16;
-  for (int i_pass = 0; i_pass < kMaxPasses; ++i_pass) {
-    const bool first = i_pass == 0;
+  Pass pass{kCoarseRays, 0, sign, false};
+  for (int i_pass = 0, left = kCoarsePasses; left > 0; ++i_pass) {
     const Ellipse before = fit.ellipse;
     const std::int64_t radius_q16 = mean_radius_q16(before);
     if (radius_q16 < kOne_q16) return false;
-    if (!first) rays = rays_around(radius_q16);
-    const std::int64_t follow_q16 = integer_sqrt(edge.width_q16 << kQ16) * kWidths_q16 >> kQ16;  // radii
-    const std::int64_t follow_px_q16 = std::clamp(follow_q16 * radius_q16 >> kQ16, kSharp_q16, kBlurred_q16);
-    const std::int64_t wanted_q16 = ((first ? kOfSeed_q16 : follow_px_q16) << kQ16) / radius_q16;
-    half_window_q16 = static_cast<std::int32_t>(std::min<std::int64_t>(reach_q16, wanted_q16));
-    budget -= rays * kLooksPerRay;
-    if (!improve(image, {rays, half_window_q16, sign, !first}, fit, edge)) return false;
-    if (!is_near(fit.ellipse, seed)) return false;
-    if (!first && is_still(fit.ellipse, before)) break;
+    if (pass.judged) pass.rays = rays_around(radius_q16);
+    const std::int64_t wanted_q16 =
+        i_pass == 0 ? (kOfSeed_q16 << kQ16) / radius_q16 : half_window_q16(edge.width_q16, radius_q16);
+    pass.half_window_q16 = static_cast<std::int32_t>(std::min<std::int64_t>(reach_q16, wanted_q16));
+    budget -= pass.rays * kLooksPerRay;
+    if (!improve(image, pass, fit, edge) || !is_near(fit.ellipse, seed)) return false;
+    const bool still = change_q16(fit.ellipse, before) < (pass.judged ? kStill_q16 : kCoarseStill_q16);
+    --left;
+    if (pass.judged && still) break;
+    if (!pass.judged && (still || left == 0)) pass.judged = true, left = kFinePasses;
   }
-  edge.width_q16 = whole_width_q16(edge.width_q16, half_window_q16);
-  put_variances(edge, rays, fit);
+  edge.width_q16 = whole_width_q16(edge.width_q16, pass.half_window_q16);
+  put_variances(edge, pass.rays, fit);
   if (!undo_blur(fit.ellipse, edge.width_q16)) return false;
   out = fit;
   return true;

@@ -35,7 +35,7 @@ struct EdgeFit {
 /// Shapes  `reach_q16` is the largest h allowed by what lies inside and around the edge, in radii.
 /// Errors  false where there is no edge of that polarity near the seed: the centre stays within half a radius, the
 ///         size within 30 %; `out` is unchanged then.
-/// Work    at most four readings of up to 128 rays, two where the seed is good, of 16 rays where there is no edge.
+/// Work    at most three readings of 16 rays and three of up to 128; one of each where the seed is good.
 ///         `budget` loses kLooksPerRay for each.
 bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed, int& budget,
               EdgeFit& out) noexcept;

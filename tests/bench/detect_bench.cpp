@@ -11,7 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/vision/camera_model.hpp"
 #include "core/vision/detector.hpp"
+#include "core/vision/imaged_ellipse.hpp"
+#include "core/vision/lens_ellipse.hpp"
 #include "tests/core/vision/marker_scene.hpp"
 
 namespace articam {
@@ -107,6 +110,26 @@ void full(benchmark::State& state, const Pixels& pixels) {
   state.counters["marks"] = static_cast<double>(found.size());
 }
 
+// The ellipse that the marker's edge shows.
+vision::Ellipse ellipse_of(const sim::SceneMarker& marker) {
+  const vision::CameraModel<double> camera(test::kVga);
+  const auto on_plane = vision::imaged_ellipse<double>({marker.centre_cam_m, marker.normal_cam, marker.outer_radius_m});
+  return vision::to_q16(vision::distorted_ellipse(on_plane.value(), camera).value());
+}
+
+void tracked(benchmark::State& state, int count) {
+  const Pixels pixels = cluttered(count);
+  std::vector<vision::Expected> expected;
+  for (const sim::SceneMarker& marker : rings(count)) {
+    expected.push_back({vision::MarkKind::ring, ellipse_of(marker)});
+    expected.back().outer.u_q16 += 65536;
+  }
+  const auto detector = std::make_unique<vision::Detector>();
+  vision::Detections found;
+  for (auto _ : state) benchmark::DoNotOptimize(detector->measure(test::view_of(pixels), expected, found));
+  state.counters["marks"] = static_cast<double>(found.size());
+}
+
 void tracked_window(benchmark::State& state, int count) {
   const Pixels pixels = cluttered(count);
   std::vector<PixelBox> windows;
@@ -134,6 +157,8 @@ const bool kRegistered = [] {
     full(state, pixels);
   });
   for (const int count : {1, 6, 20}) {
+    benchmark::RegisterBenchmark(("detect/tracked/" + std::to_string(count)).c_str(),
+                                 [count](benchmark::State& state) { tracked(state, count); });
     benchmark::RegisterBenchmark(("detect/tracked_window/" + std::to_string(count)).c_str(),
                                  [count](benchmark::State& state) { tracked_window(state, count); });
   }
