@@ -31,6 +31,7 @@ enum class Reason : std::uint8_t {
   camera_stalled,  ///< no frame for several periods
   camera_gone,     ///< the camera was unplugged, or cannot be opened
   late_result,     ///< good, but out later than its age allows
+  ambiguous,       ///< two configurations explain the frame, and no start decides
 };
 
 constexpr std::string_view name(TrackingStatus status) noexcept {
@@ -40,7 +41,8 @@ constexpr std::string_view name(TrackingStatus status) noexcept {
 constexpr std::string_view name(Reason reason) noexcept {
   constexpr std::string_view kNames[]{
       "none",           "no_start", "no_frame",   "stale_frame", "image_mismatch", "few_markers", "not_converged",
-      "large_residual", "outlier",  "weak_joint", "overload",    "camera_stalled", "camera_gone", "late_result"};
+      "large_residual", "outlier",  "weak_joint", "overload",    "camera_stalled", "camera_gone", "late_result",
+      "ambiguous"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -1,0 +1,129 @@
+#pragma once
+/// @file  A configuration that may explain a frame, and what speaks against it.
+
+#include "core/tracker/appearance.hpp"
+#include "core/tracker/joint_range.hpp"
+#include "core/tracker/marker_pairs.hpp"
+
+namespace articam::tracker {
+
+/// Of every marker, the sighting that is taken for it; -1: none.
+template <class M>
+using Pairing = std::array<std::int8_t, static_cast<std::size_t>(model::kNumMarkers<M>)>;
+
+/// The cost is that of all that the configuration leaves to be excused: the squared distances of paired marks in
+/// deviations, of centre and shape, and kPrice for every marker that should be seen and is not, and for every mark that
+/// it says nothing of. So configurations that pair different marks can be compared.
+template <class M, class S>
+struct Hypothesis {
+  model::Configuration<M, S> q{};
+  Pairing<M> sighting{};
+  int anchor{-1};  ///< the body that it was begun from
+  int paired{};
+  S misfit{};         ///< the part of the cost that the pairs have
+  S cost{};
+  bool challenged{};  ///< its mirror image and other joint values were looked at
+};
+
+/// A mark missed, or one too many: a detector that finds 99 of 100 at odds of 1 to 100 costs 9 in these units. More, to
+/// bear the model's errors.
+template <class S>
+inline constexpr S kPrice{25};
+
+/// Markers whose place, seen from the anchor body, depends on known joints only.
+template <class M>
+constexpr bool is_placed(std::size_t marker, int anchor, JointSet known) noexcept {
+  return (joints_between<M>(anchor, M::kMarkers[marker].body) & ~known) == 0;
+}
+
+/// The best pairing of placed markers with sightings no farther than `reach` radii of the marker's image (and 3 px).
+template <class M, class S>
+Pairing<M> pair_near(const Appearances<M, S>& markers, const Sightings<M, S>& sightings, int anchor, JointSet known,
+                     S reach, S pixel) noexcept {
+  constexpr std::size_t kRows = static_cast<std::size_t>(model::kNumMarkers<M>);
+  constexpr S kForbidden = std::numeric_limits<S>::infinity();
+  constexpr S kMaxShape2{1};  // early poses are wrong by a few degrees, and by some percent of the range
+  const auto cost = [&](std::size_t m, std::size_t i) -> S {
+    const Appearance<S>& marker = markers[m];
+    if (!marker.visible || sightings[i].kind != mark_kind(M::kMarkers[m].kind)) return kForbidden;
+    const S most = reach * marker.radius + S(3) * pixel;
+    const S d2 = (sightings[i].s_star - marker.s).squaredNorm() / (most * most);
+    if (!(d2 < S(1)) || !is_placed<M>(m, anchor, known)) return kForbidden;
+    return shape_distance2(marker.shape, sightings[i].shape) < kMaxShape2 ? d2 : kForbidden;
+  };
+  const auto partner = math::assign<kRows, kMaxSightings<M>>(kRows, sightings.size(), S(1), cost);
+  Pairing<M> pairing;
+  for (std::size_t m = 0; m < kRows; ++m) pairing[m] = static_cast<std::int8_t>(partner[m]);
+  return pairing;
+}
+
+/// What speaks against q: pairs anew, by what each pair costs. A pair beyond 2 kPrice is none.
+template <class M, class S>
+Hypothesis<M, S> explain(const model::Configuration<M, S>& q, const Appearances<M, S>& markers,
+                         const Sightings<M, S>& sightings, S variance_factor) noexcept {
+  constexpr std::size_t kRows = static_cast<std::size_t>(model::kNumMarkers<M>);
+  const auto cost = [&](std::size_t m, std::size_t i) -> S {
+    const Sighting<S>& seen = sightings[i];
+    if (!markers[m].visible || seen.kind != mark_kind(M::kMarkers[m].kind)) {
+      return std::numeric_limits<S>::infinity();
+    }
+    const S of_centre = (seen.s_star - markers[m].s).squaredNorm() / (seen.variance * variance_factor);
+    if (!(of_centre < S(2) * kPrice<S>)) return std::numeric_limits<S>::infinity();
+    const S of_shape = shape_distance2(markers[m].shape, seen.shape) / seen.shape_variance;
+    return of_centre + of_shape < S(2) * kPrice<S> ? of_centre + of_shape : std::numeric_limits<S>::infinity();
+  };
+  const auto partner = math::assign<kRows, kMaxSightings<M>>(kRows, sightings.size(), S(2) * kPrice<S>, cost);
+  Hypothesis<M, S> hypothesis;
+  hypothesis.q = q;
+  for (std::size_t m = 0; m < kRows; ++m) {
+    hypothesis.sighting[m] = static_cast<std::int8_t>(partner[m]);
+    if (partner[m] >= 0) {
+      ++hypothesis.paired;
+      hypothesis.misfit += cost(m, static_cast<std::size_t>(partner[m]));
+    } else if (markers[m].expected) {
+      hypothesis.cost += kPrice<S>;
+    }
+  }
+  const int unexplained = static_cast<int>(sightings.size()) - hypothesis.paired;
+  hypothesis.cost += hypothesis.misfit + kPrice<S> * static_cast<S>(unexplained);
+  return hypothesis;
+}
+
+/// The least that any configuration with these markers unpaired can cost.
+template <class M, class S>
+S least_cost(const Appearances<M, S>& markers, const Pairing<M>& pairing, std::size_t num_sightings, int anchor,
+             JointSet known) noexcept {
+  int missed = 0;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    missed += markers[m].expected && pairing[m] < 0 && is_placed<M>(m, anchor, known) ? 1 : 0;
+  }
+  const int surplus = static_cast<int>(num_sightings) - model::kNumMarkers<M>;
+  return kPrice<S> * static_cast<S>(missed + (surplus + missed > 0 ? surplus + missed : 0));
+}
+
+/// Whether joints stand beyond their range by more than noise and a bent stop can make: 2 % of it.
+template <class M, class S>
+bool within_ranges(const Vec<S, model::kNumJoints<M>>& joints) noexcept {
+  for (int j = 0; j < model::kNumJoints<M>; ++j) {
+    const auto range = joint_range<M, S>(j);
+    const S slack = S(0.02) * range.length();
+    if (!(joints[j] >= range.low - slack && joints[j] <= range.high + slack)) return false;
+  }
+  return true;
+}
+
+/// Two hypotheses say different things if a marker that one of them has seen is elsewhere in the other, or another mark.
+template <class M, class S>
+bool is_distinct(const Hypothesis<M, S>& x, const Hypothesis<M, S>& y) noexcept {
+  const auto kin_x = model::forward_kinematics<M, S>(x.q.joints), kin_y = model::forward_kinematics<M, S>(y.q.joints);
+  for (std::size_t m = 0; m < x.sighting.size(); ++m) {
+    if (x.sighting[m] < 0 && y.sighting[m] < 0) continue;  // it may be anywhere
+    if (x.sighting[m] >= 0 && y.sighting[m] >= 0 && x.sighting[m] != y.sighting[m]) return true;
+    const Vec<S, 3> apart = x.q.T_cam_obj * kin_x.markers[m].centre - y.q.T_cam_obj * kin_y.markers[m].centre;
+    const S radius_m = static_cast<S>(0.5 * M::kMarkers[m].outer_diameter_m);
+    if (apart.squaredNorm() > radius_m * radius_m) return true;
+  }
+  return false;
+}
+
+}  // namespace articam::tracker
