@@ -53,6 +53,7 @@ class Acquisition {
   /// A hypothesis in the order of the search: a marker pair, where on the travel of the joint between them, the two
   /// marks, and which pose of the first.
   struct Cursor {
+    int pass{};  ///< 0: only what explains all that a frame can be asked for; 1: the rest
     std::size_t pair{};
     int piece{};
     std::size_t i{}, j{1}, side{};
@@ -63,6 +64,7 @@ class Acquisition {
   static constexpr S kMaxMisfit{9};
   static constexpr int kIterations = 8;
 
+  void try_pairs() noexcept;
   void go_on(const Acquired<M, S>& before) noexcept;
   bool advance() noexcept;
   void consider() noexcept;
@@ -70,8 +72,9 @@ class Acquisition {
   void develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept;
   bool approach(Configuration& q, int anchor, JointSet known, S reach, Pairing<M>& pairing) noexcept;
   int next_joint(int anchor, JointSet known, JointSet tried) const noexcept;
-  void weigh(Configuration q, int anchor) noexcept;
-  void challenge(const Hypothesis<M, S>& hypothesis) noexcept;
+  void weigh(Configuration q, int anchor, JointSet known) noexcept;
+  void challenge() noexcept;
+  S limit() const noexcept;
   bool is_hopeless(S least) const noexcept;
   void record(const Hypothesis<M, S>& hypothesis) noexcept;
   bool is_credible(const Hypothesis<M, S>& hypothesis) const noexcept;

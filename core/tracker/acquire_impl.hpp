@@ -14,32 +14,44 @@ const Acquired<M, S>& Acquisition<M, S>::search(const vision::Detections& detect
   result_ = {};
   pairs_tried_ = 0;
   if (!before.complete) go_on(before);
-  if (sightings_.size() >= 2 && !kMarkerPairs<M>.empty()) {
-    do {
-      consider();
-      for (Hypothesis<M, S>& hypothesis : result_.candidates) {
-        if (hypothesis.challenged) continue;
-        hypothesis.challenged = true;
-        challenge(Hypothesis<M, S>{hypothesis});  // which may put another one into its place
-      }
-      result_.complete = !advance();
-    } while (!result_.complete && result_.work < kBudget);
-  }
+  if (sightings_.size() >= 2 && !kMarkerPairs<M>.empty()) try_pairs();
   conclude();
   return result_;
+}
+
+template <class M, class S>
+void Acquisition<M, S>::try_pairs() noexcept {
+  while (!result_.complete && result_.work < kBudget) {
+    consider();
+    if (advance()) continue;
+    challenge();
+    const bool found = !result_.candidates.empty() && is_credible(result_.candidates[0]);
+    result_.complete = next_.pass > 0 || (found && result_.candidates[0].cost + kMargin <= limit());
+    next_ = {.pass = 1};
+  }
 }
 
 /// What was found in the frame before, in this one.
 template <class M, class S>
 void Acquisition<M, S>::go_on(const Acquired<M, S>& before) noexcept {
-  constexpr JointSet kAll = ~JointSet{0};
   for (const Hypothesis<M, S>& hypothesis : before.candidates) {
     Configuration q = hypothesis.q;
     Pairing<M> pairing;
-    if (approach(q, hypothesis.anchor, kAll, S(3), pairing)) weigh(q, hypothesis.anchor);
+    if (!approach(q, hypothesis.anchor, hypothesis.known, S(3), pairing)) continue;
+    weigh(q, hypothesis.anchor, hypothesis.known);
   }
 }
 
+/// The most that a hypothesis may cost to be looked at: in the first pass, what marks beyond the model's cost, or
+/// markers short of it, and no pair's worth more.
+template <class M, class S>
+S Acquisition<M, S>::limit() const noexcept {
+  if (next_.pass > 0) return std::numeric_limits<S>::max();
+  const int surplus = static_cast<int>(sightings_.size()) - model::kNumMarkers<M>;
+  return kPrice<S> * static_cast<S>(surplus > 0 ? surplus + 2 : 2) - S(1);
+}
+
+/// To the next hypothesis of this pass; false at its end.
 template <class M, class S>
 bool Acquisition<M, S>::advance() noexcept {
   const std::size_t n = sightings_.size();
@@ -51,12 +63,12 @@ bool Acquisition<M, S>::advance() noexcept {
   if (++next_.i < n) return true;
   next_.i = 0, next_.j = 1;
   const bool travels = kMarkerPairs<M>[next_.pair].joint >= 0;
-  if (travels && ++next_.piece < kTravelPieces) return true;
+  if (travels && ++next_.piece < travel_pieces<M>(kMarkerPairs<M>[next_.pair].joint)) return true;
   next_.piece = 0;
   if (++next_.pair >= kMarkerPairs<M>.size()) return false;
   // A rival that explains as much holds two markers fixed to each other, too: joints are tried only for want of such.
-  const bool found = !result_.candidates.empty() && is_credible(result_.candidates[0]);
-  return kMarkerPairs<M>[next_.pair].joint < 0 || !found;
+  if (kMarkerPairs<M>[next_.pair].joint < 0) return true;
+  return next_.pass > 0 && (result_.candidates.empty() || !is_credible(result_.candidates[0]));
 }
 
 /// The two markers in {obj}, the joint between them where their distance is the marks'.
@@ -76,7 +88,7 @@ bool Acquisition<M, S>::place_markers(PlacedMarker<S>& a, PlacedMarker<S>& b, Co
     return true;
   }
   const auto range = joint_range<M, S>(pair.joint);
-  const S piece = range.length() / S(kTravelPieces), begin = range.low + piece * static_cast<S>(next_.piece);
+  const S piece = range.length() / static_cast<S>(travel_pieces<M>(pair.joint)), begin = range.low + piece * static_cast<S>(next_.piece);
   q.joints[pair.joint] = begin;
   const S first = place();
   q.joints[pair.joint] = begin + piece;
@@ -121,14 +133,14 @@ void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int
   for (int j = next_joint(anchor, known, tried); j >= 0; j = next_joint(anchor, known, tried)) {
     tried |= JointSet{1} << j;
     const auto guesses = joint_search.search(q, anchor, known, j, pairing);
-    result_.work += kTravelPieces;
+    result_.work += travel_pieces<M>(j) / 4 + static_cast<int>(guesses.size()) + 1;
     const std::size_t choice = j == second_guess ? 1 : 0;
     if (guesses.size() <= choice) continue;
     q = with_joint<M, S>(q, anchor, j, guesses[choice].value);
     known |= JointSet{1} << j;
     if (!approach(q, anchor, known, S(1), pairing)) return;
   }
-  if (approach(q, anchor, known, S(0.5), pairing)) weigh(q, anchor);
+  if (approach(q, anchor, known, S(0.5), pairing)) weigh(q, anchor, known);
 }
 
 /// The next joint that alone stands between the anchor's cluster and some marker; -1: none.
@@ -170,8 +182,8 @@ bool Acquisition<M, S>::approach(Configuration& q, int anchor, JointSet known, S
 
 /// Solves with the marks' own variances and records what comes of it.
 template <class M, class S>
-void Acquisition<M, S>::weigh(Configuration q, int anchor) noexcept {
-  Hypothesis<M, S> hypothesis = explain<M, S>(q, appear<M, S>(q, camera_), sightings_, variance_factor_);
+void Acquisition<M, S>::weigh(Configuration q, int anchor, JointSet known) noexcept {
+  Hypothesis<M, S> hypothesis = explain<M, S>(q, appear<M, S>(q, camera_), anchor, known, sightings_, variance_factor_);
   for (int round = 0; round < 2; ++round) {
     Matches<M, S> matches{};
     for (std::size_t m = 0; m < matches.size(); ++m) {
@@ -184,26 +196,29 @@ void Acquisition<M, S>::weigh(Configuration q, int anchor) noexcept {
     if (solution.status != Status::ok) return;
     q = solution.q;
     const Pairing<M> before = hypothesis.sighting;
-    hypothesis = explain<M, S>(q, appear<M, S>(q, camera_), sightings_, variance_factor_);
+    hypothesis = explain<M, S>(q, appear<M, S>(q, camera_), anchor, known, sightings_, variance_factor_);
     if (hypothesis.sighting == before) break;
   }
-  hypothesis.anchor = anchor;
   if (within_ranges<M, S>(q.joints)) record(hypothesis);
 }
 
-/// What else could look like this hypothesis: its mirror image, and each joint at its second best value.
+/// What else could look like the best: its mirror image, and each joint at its second best value.
 template <class M, class S>
-void Acquisition<M, S>::challenge(const Hypothesis<M, S>& hypothesis) noexcept {
-  const JointSet none = 0;
-  if (const auto mirrored = mirror_image<M, S>(hypothesis); mirrored.ok()) {
-    develop(mirrored.value(), hypothesis.anchor, none, -1);
+void Acquisition<M, S>::challenge() noexcept {
+  for (std::size_t k = 0; k < result_.candidates.size(); ++k) {
+    if (result_.candidates[k].challenged || is_hopeless(result_.candidates[k].cost)) continue;
+    result_.candidates[k].challenged = true;
+    const Hypothesis<M, S> hypothesis = result_.candidates[k];  // what is found may take its place
+    if (const auto mirrored = mirror_image<M, S>(hypothesis); mirrored.ok()) {
+      develop(mirrored.value(), hypothesis.anchor, 0, -1);
+    }
+    for (int j = 0; j < model::kNumJoints<M>; ++j) develop(hypothesis.q, hypothesis.anchor, 0, j);
   }
-  for (int j = 0; j < model::kNumJoints<M>; ++j) develop(hypothesis.q, hypothesis.anchor, none, j);
 }
 
 template <class M, class S>
 bool Acquisition<M, S>::is_hopeless(S least) const noexcept {
-  return !result_.candidates.empty() && least > result_.candidates[0].cost + kMargin;
+  return least > limit() || (!result_.candidates.empty() && least > result_.candidates[0].cost + kMargin);
 }
 
 /// Keeps the two cheapest distinct hypotheses, in order.
@@ -238,7 +253,7 @@ bool Acquisition<M, S>::is_credible(const Hypothesis<M, S>& hypothesis) const no
     if (first < 0) first = static_cast<int>(m);
     joints |= joints_between<M>(M::kMarkers[static_cast<std::size_t>(first)].body, M::kMarkers[m].body);
   }
-  return 2 * hypothesis.paired > 6 + std::popcount(joints) &&
+  return 2 * hypothesis.paired > 6 + std::popcount(joints) && is_determined(hypothesis) &&
          hypothesis.misfit <= kMaxMisfit * static_cast<S>(hypothesis.paired);
 }
 
@@ -249,7 +264,8 @@ void Acquisition<M, S>::conclude() noexcept {
   if (!result_.complete && sightings_.size() >= 2) {
     result_.reason = Reason::not_converged;
   } else if (found.empty() || !is_credible(found[0])) {
-    result_.reason = 2 * sightings_.size() <= 6 ? Reason::few_markers : Reason::large_residual;
+    const bool misfits = !found.empty() && is_determined(found[0]);
+    result_.reason = misfits ? Reason::large_residual : Reason::few_markers;
   } else {
     result_.certainty = rivalled ? Certainty::ambiguous : Certainty::sure;
     result_.reason = rivalled ? Reason::ambiguous : Reason::none;

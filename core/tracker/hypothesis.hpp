@@ -12,13 +12,14 @@ template <class M>
 using Pairing = std::array<std::int8_t, static_cast<std::size_t>(model::kNumMarkers<M>)>;
 
 /// The cost is that of all that the configuration leaves to be excused: the squared distances of paired marks in
-/// deviations, of centre and shape, and kPrice for every marker that should be seen and is not, and for every mark that
-/// it says nothing of. So configurations that pair different marks can be compared.
+/// deviations, of centre and shape, and kPrice for every marker that should be seen and is not, or whose joint was not
+/// found, and for every mark that is no marker's. So configurations that pair different marks can be compared.
 template <class M, class S>
 struct Hypothesis {
   model::Configuration<M, S> q{};
   Pairing<M> sighting{};
-  int anchor{-1};  ///< the body that it was begun from
+  int anchor{-1};    ///< the body that it was begun from
+  JointSet known{};  ///< the joints that it found; others stand amid their ranges
   int paired{};
   S misfit{};         ///< the part of the cost that the pairs have
   S cost{};
@@ -59,28 +60,27 @@ Pairing<M> pair_near(const Appearances<M, S>& markers, const Sightings<M, S>& si
 
 /// What speaks against q: pairs anew, by what each pair costs. A pair beyond 2 kPrice is none.
 template <class M, class S>
-Hypothesis<M, S> explain(const model::Configuration<M, S>& q, const Appearances<M, S>& markers,
-                         const Sightings<M, S>& sightings, S variance_factor) noexcept {
+Hypothesis<M, S> explain(const model::Configuration<M, S>& q, const Appearances<M, S>& markers, int anchor,
+                         JointSet known, const Sightings<M, S>& sightings, S variance_factor) noexcept {
   constexpr std::size_t kRows = static_cast<std::size_t>(model::kNumMarkers<M>);
+  constexpr S kForbidden = std::numeric_limits<S>::infinity();
   const auto cost = [&](std::size_t m, std::size_t i) -> S {
     const Sighting<S>& seen = sightings[i];
-    if (!markers[m].visible || seen.kind != mark_kind(M::kMarkers[m].kind)) {
-      return std::numeric_limits<S>::infinity();
-    }
+    if (!markers[m].visible || seen.kind != mark_kind(M::kMarkers[m].kind)) return kForbidden;
     const S of_centre = (seen.s_star - markers[m].s).squaredNorm() / (seen.variance * variance_factor);
-    if (!(of_centre < S(2) * kPrice<S>)) return std::numeric_limits<S>::infinity();
+    if (!(of_centre < S(2) * kPrice<S>) || !is_placed<M>(m, anchor, known)) return kForbidden;
     const S of_shape = shape_distance2(markers[m].shape, seen.shape) / seen.shape_variance;
-    return of_centre + of_shape < S(2) * kPrice<S> ? of_centre + of_shape : std::numeric_limits<S>::infinity();
+    return of_centre + of_shape < S(2) * kPrice<S> ? of_centre + of_shape : kForbidden;
   };
   const auto partner = math::assign<kRows, kMaxSightings<M>>(kRows, sightings.size(), S(2) * kPrice<S>, cost);
   Hypothesis<M, S> hypothesis;
-  hypothesis.q = q;
+  hypothesis.q = q, hypothesis.anchor = anchor, hypothesis.known = known;
   for (std::size_t m = 0; m < kRows; ++m) {
     hypothesis.sighting[m] = static_cast<std::int8_t>(partner[m]);
     if (partner[m] >= 0) {
       ++hypothesis.paired;
       hypothesis.misfit += cost(m, static_cast<std::size_t>(partner[m]));
-    } else if (markers[m].expected) {
+    } else if (markers[m].expected || !is_placed<M>(m, anchor, known)) {
       hypothesis.cost += kPrice<S>;
     }
   }
@@ -110,6 +110,19 @@ bool within_ranges(const Vec<S, model::kNumJoints<M>>& joints) noexcept {
     if (!(joints[j] >= range.low - slack && joints[j] <= range.high + slack)) return false;
   }
   return true;
+}
+
+/// Whether every joint that markers can tell of is told by a paired one.
+template <class M, class S>
+bool is_determined(const Hypothesis<M, S>& hypothesis) noexcept {
+  JointSet told = 0, all = 0;
+  for (std::size_t m = 0; m < hypothesis.sighting.size(); ++m) {
+    if (M::kMarkers[m].kind == model::MarkerKind::point) continue;
+    const JointSet joints = joints_between<M>(hypothesis.anchor, M::kMarkers[m].body);
+    all |= joints;
+    if (hypothesis.sighting[m] >= 0) told |= joints;
+  }
+  return (all & ~told) == 0;
 }
 
 /// Two hypotheses say different things if a marker that one of them has seen is elsewhere in the other, or another mark.

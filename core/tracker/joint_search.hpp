@@ -1,5 +1,5 @@
 #pragma once
-/// @file  The base known, the value of a joint: where along its travel does a mark lie on a marker's path?
+/// @file  The value of a joint, the base being known: where on its travel does a marker meet a mark?
 
 #include "core/tracker/hypothesis.hpp"
 
@@ -23,6 +23,22 @@ model::Configuration<M, S> with_joint(model::Configuration<M, S> q, int anchor, 
   return q;
 }
 
+/// Whether a joint moves markers straight on: its rows all slide.
+template <class M>
+constexpr bool is_slide(int j) noexcept {
+  for (int row = 0; row < model::kNumBodies<M>; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (model::kValueOfRow<M>[i] == j && M::kJoints[i].kind != model::JointKind::prismatic) return false;
+  }
+  return true;
+}
+
+/// Pieces into which the search cuts a joint's travel; of a slide none.
+template <class M>
+constexpr int travel_pieces(int j) noexcept {
+  return is_slide<M>(j) ? 1 : kTravelPieces;
+}
+
 /// A value of a joint that puts a marker near a mark.
 template <class S>
 struct JointGuess {
@@ -44,17 +60,18 @@ class JointSearch {
   FixedVector<JointGuess<S>, kMaxGuesses> search(const Configuration& q, int anchor, JointSet known, int j,
                                                  const Pairing<M>& taken) const noexcept {
     const auto range = joint_range<M, S>(j);
+    const S length = range.length() / static_cast<S>(travel_pieces<M>(j));
     FixedVector<JointGuess<S>, kMaxGuesses> guesses;
-    Appearances<M, S> from = appear<M, S>(with_joint<M, S>(q, anchor, j, range.low), camera_);
-    for (int piece = 0; piece < kTravelPieces; ++piece) {
-      const S begin = range.low + range.length() * static_cast<S>(piece) / S(kTravelPieces);
-      const S length = range.length() / S(kTravelPieces);
-      const Appearances<M, S> to = appear<M, S>(with_joint<M, S>(q, anchor, j, begin + length), camera_);
+    Centres from = centres(with_joint<M, S>(q, anchor, j, range.low));
+    for (int piece = 0; piece < travel_pieces<M>(j); ++piece) {
+      const S begin = range.low + length * static_cast<S>(piece);
+      const Centres to = centres(with_joint<M, S>(q, anchor, j, begin + length));
       for (std::size_t m = 0; m < from.size(); ++m) {
-        if (!is_moved(m, anchor, known, j) || !(from[m].visible || to[m].visible)) continue;
+        if (!is_moved(m, anchor, known, j)) continue;
         for (std::size_t i = 0; i < sightings_.size(); ++i) {
           if (sightings_[i].kind != mark_kind(M::kMarkers[m].kind) || is_taken(taken, i)) continue;
-          const S share = nearest(from[m], to[m], sightings_[i]);
+          const S radius_m = static_cast<S>(0.5 * M::kMarkers[m].outer_diameter_m);
+          const S share = nearest(from[m], to[m], radius_m, sightings_[i]);
           if (share >= S(0)) keep({begin + share * length, S(0)}, q, anchor, known, j, taken, guesses);
         }
       }
@@ -74,14 +91,23 @@ class JointSearch {
     return false;
   }
 
-  /// Where on the piece the path is nearest to the mark, 0 to 1; -1 where it is out of reach.
-  S nearest(const Appearance<S>& from, const Appearance<S>& to, const Sighting<S>& seen) const noexcept {
-    const Vec<S, 2> path = to.s - from.s, at = seen.s_star - from.s;
+  using Centres = std::array<Vec<S, 3>, static_cast<std::size_t>(model::kNumMarkers<M>)>;
+  static Centres centres(const Configuration& q) noexcept {
+    Centres centres;
+    const auto kinematics = model::forward_kinematics<M, S>(q.joints);
+    for (std::size_t m = 0; m < centres.size(); ++m) centres[m] = q.T_cam_obj * kinematics.markers[m].centre;
+    return centres;
+  }
+
+  /// Where on a straight path a marker is nearest to the ray of a mark, 0 to 1; -1 where that is out of reach.
+  S nearest(const Vec<S, 3>& from, const Vec<S, 3>& to, S radius_m, const Sighting<S>& seen) const noexcept {
+    const Vec<S, 3> ray = seen.s_star.homogeneous().normalized();
+    const Vec<S, 3> start = from - ray * ray.dot(from), path = (to - from) - ray * ray.dot(to - from);  // across it
     const S length2 = path.squaredNorm();
-    S share = length2 > S(0) ? at.dot(path) / length2 : S(0.5);
+    S share = length2 > S(1e-12) ? -start.dot(path) / length2 : S(0.5);
     share = share < S(0) ? S(0) : (share > S(1) ? S(1) : share);
-    const S most = reach_ * (from.radius > to.radius ? from.radius : to.radius);
-    return (at - share * path).squaredNorm() < most * most ? share : S(-1);
+    const S most = reach_ * radius_m;
+    return (start + share * path).squaredNorm() < most * most ? share : S(-1);
   }
 
   S score(const Configuration& q, int anchor, JointSet known, int j, const Pairing<M>& taken) const noexcept {
