@@ -58,11 +58,18 @@ class Acquisition {
     int piece{};
     std::size_t i{}, j{1}, side{};
   };
+  /// A cluster's pose from which everything was tried.
+  struct Trial {
+    int anchor{};
+    Pose<S> T_cam_anchor{};
+  };
+  static constexpr std::size_t kMaxTrials = 16;
   /// Cost that a distinct hypothesis must have beyond the best: odds of 1 to 3000.
   static constexpr S kMargin{16};
   /// Mean cost of a good pair: 1 for the shape's two axes each, little for the centre, and a third of blur's bias.
   static constexpr S kMaxMisfit{9};
   static constexpr int kIterations = 8;
+  static constexpr int kFirstIterations = 3;  ///< from two marks: pairs follow that say more
 
   void try_pairs() noexcept;
   void go_on(const Acquired<M, S>& before) noexcept;
@@ -70,7 +77,9 @@ class Acquisition {
   void consider() noexcept;
   bool place_markers(PlacedMarker<S>& a, PlacedMarker<S>& b, Configuration& q) const noexcept;
   void develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept;
-  bool approach(Configuration& q, int anchor, JointSet known, S reach, Pairing<M>& pairing) noexcept;
+  bool approach(Configuration& q, int anchor, JointSet known, S reach, int iterations, Pairing<M>& pairing) noexcept;
+  bool was_tried(const Configuration& q, int anchor) const noexcept;
+  void remember(const Configuration& q, int anchor) noexcept;
   int next_joint(int anchor, JointSet known, JointSet tried) const noexcept;
   void weigh(Configuration q, int anchor, JointSet known) noexcept;
   void challenge() noexcept;
@@ -85,6 +94,8 @@ class Acquisition {
   S variance_factor_{1};
   Cursor next_{};
   int pairs_tried_{};
+  std::array<Trial, kMaxTrials> trials_{};  ///< the newest; of a frame
+  std::size_t num_trials_{};
   Sightings<M, S> sightings_{};
   Acquired<M, S> result_{};
 };

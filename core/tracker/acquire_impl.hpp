@@ -12,7 +12,7 @@ const Acquired<M, S>& Acquisition<M, S>::search(const vision::Detections& detect
   if (result_.complete) next_ = {};
   const Acquired<M, S> before = result_;
   result_ = {};
-  pairs_tried_ = 0;
+  pairs_tried_ = 0, num_trials_ = 0;
   if (!before.complete) go_on(before);
   if (sightings_.size() >= 2 && !kMarkerPairs<M>.empty()) try_pairs();
   conclude();
@@ -37,7 +37,7 @@ void Acquisition<M, S>::go_on(const Acquired<M, S>& before) noexcept {
   for (const Hypothesis<M, S>& hypothesis : before.candidates) {
     Configuration q = hypothesis.q;
     Pairing<M> pairing;
-    if (!approach(q, hypothesis.anchor, hypothesis.known, S(3), pairing)) continue;
+    if (!approach(q, hypothesis.anchor, hypothesis.known, S(3), kIterations, pairing)) continue;
     weigh(q, hypothesis.anchor, hypothesis.known);
   }
 }
@@ -120,6 +120,7 @@ void Acquisition<M, S>::consider() noexcept {
   const auto T_cam_obj = pair_pose<S>(a, b, i, next_.side, j);
   if (!T_cam_obj.ok()) return;
   q.T_cam_obj = T_cam_obj.value();
+  if (was_tried(q, M::kMarkers[pair.a].body)) return;
   develop(q, M::kMarkers[pair.a].body, pair.joint < 0 ? 0 : JointSet{1} << pair.joint, -1);
 }
 
@@ -127,7 +128,12 @@ void Acquisition<M, S>::consider() noexcept {
 template <class M, class S>
 void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept {
   Pairing<M> pairing;
-  if (!approach(q, anchor, known, S(2), pairing) || !approach(q, anchor, known, S(0.7), pairing)) return;
+  if (!approach(q, anchor, known, S(2), kFirstIterations, pairing)) return;
+  if (!approach(q, anchor, known, S(0.7), kIterations, pairing)) return;
+  if (second_guess < 0) {
+    if (was_tried(q, anchor)) return;
+    remember(q, anchor);
+  }
   const JointSearch<M, S> joint_search(sightings_, camera_, S(1));
   JointSet tried = known;
   for (int j = next_joint(anchor, known, tried); j >= 0; j = next_joint(anchor, known, tried)) {
@@ -138,9 +144,37 @@ void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int
     if (guesses.size() <= choice) continue;
     q = with_joint<M, S>(q, anchor, j, guesses[choice].value);
     known |= JointSet{1} << j;
-    if (!approach(q, anchor, known, S(1), pairing)) return;
+    if (!approach(q, anchor, known, S(1), kIterations, pairing)) return;
   }
-  if (approach(q, anchor, known, S(0.5), pairing)) weigh(q, anchor, known);
+  if (approach(q, anchor, known, S(0.5), kIterations, pairing)) weigh(q, anchor, known);
+}
+
+/// Whether a trial began with the anchor's markers within a radius of where q has them.
+template <class M, class S>
+bool Acquisition<M, S>::was_tried(const Configuration& q, int anchor) const noexcept {
+  const auto kinematics = model::forward_kinematics<M, S>(q.joints);
+  for (std::size_t k = 0; k < num_trials_ && k < kMaxTrials; ++k) {
+    if (trials_[k].anchor != anchor) continue;
+    bool same = true;
+    for (std::size_t m = 0; same && m < M::kMarkers.size(); ++m) {
+      if (M::kMarkers[m].body != anchor) continue;
+      const Vec<S, 3> before = trials_[k].T_cam_anchor * model::detail::to_vec<S>(M::kMarkers[m].t_body_m);
+      const S radius_m = static_cast<S>(0.5 * M::kMarkers[m].outer_diameter_m);
+      same = (q.T_cam_obj * kinematics.markers[m].centre - before).squaredNorm() < radius_m * radius_m;
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+template <class M, class S>
+void Acquisition<M, S>::remember(const Configuration& q, int anchor) noexcept {
+  Pose<S> T_cam_anchor = q.T_cam_obj;
+  if constexpr (model::kNumBodies<M> > 0) {
+    const auto kinematics = model::forward_kinematics<M, S>(q.joints);
+    if (anchor >= 0) T_cam_anchor = T_cam_anchor * kinematics.T_obj_body[static_cast<std::size_t>(anchor)];
+  }
+  trials_[num_trials_++ % kMaxTrials] = {anchor, T_cam_anchor};
 }
 
 /// The next joint that alone stands between the anchor's cluster and some marker; -1: none.
@@ -159,11 +193,13 @@ int Acquisition<M, S>::next_joint(int anchor, JointSet known, JointSet tried) co
 
 /// Pairs the placed markers with marks within reach and solves for q. False when nothing is gained by going on.
 template <class M, class S>
-bool Acquisition<M, S>::approach(Configuration& q, int anchor, JointSet known, S reach, Pairing<M>& pairing) noexcept {
+bool Acquisition<M, S>::approach(Configuration& q, int anchor, JointSet known, S reach, int iterations,
+                                Pairing<M>& pairing) noexcept {
   const auto markers = appear<M, S>(q, camera_);
-  pairing = pair_near<M, S>(markers, sightings_, anchor, known, reach, S(1) / camera_.focal_px());
+  const S pixel = S(1) / camera_.focal_px();
   ++result_.work;
-  if (is_hopeless(least_cost<M, S>(markers, pairing, sightings_.size(), anchor, known))) return false;
+  if (is_hopeless(least_cost<M, S>(markers, sightings_, anchor, known, reach, pixel))) return false;
+  pairing = pair_near<M, S>(markers, sightings_, anchor, known, reach, pixel);
   Matches<M, S> matches{};
   int paired = 0;
   for (std::size_t m = 0; m < pairing.size(); ++m) {
@@ -174,7 +210,7 @@ bool Acquisition<M, S>::approach(Configuration& q, int anchor, JointSet known, S
     ++paired;
   }
   if (paired < 2) return false;
-  const auto solution = solve<M, S>(matches, held_prior<M, S>(q), q, kIterations);
+  const auto solution = solve<M, S>(matches, held_prior<M, S>(q), q, iterations);
   result_.work += solution.iterations;
   if (solution.status == Status::ok) q = solution.q;
   return solution.status == Status::ok;

@@ -37,20 +37,27 @@ constexpr bool is_placed(std::size_t marker, int anchor, JointSet known) noexcep
   return (joints_between<M>(anchor, M::kMarkers[marker].body) & ~known) == 0;
 }
 
-/// The best pairing of placed markers with sightings no farther than `reach` radii of the marker's image (and 3 px).
+/// Whether a sighting could be that marker: its kind, and no farther than `reach` radii of the image (and 3 px).
+/// Early poses are wrong by some degrees, and by some percent of the range: shape is held to little.
+template <class M, class S>
+bool is_near(std::size_t m, const Appearance<S>& marker, const Sighting<S>& seen, S reach, S pixel) noexcept {
+  constexpr S kMaxShape2{1};
+  if (!marker.visible || seen.kind != mark_kind(M::kMarkers[m].kind)) return false;
+  const S most = reach * marker.radius + S(3) * pixel;
+  return (seen.s_star - marker.s).squaredNorm() < most * most && shape_distance2(marker.shape, seen.shape) < kMaxShape2;
+}
+
+/// The best pairing of placed markers with sightings near them.
 template <class M, class S>
 Pairing<M> pair_near(const Appearances<M, S>& markers, const Sightings<M, S>& sightings, int anchor, JointSet known,
                      S reach, S pixel) noexcept {
   constexpr std::size_t kRows = static_cast<std::size_t>(model::kNumMarkers<M>);
-  constexpr S kForbidden = std::numeric_limits<S>::infinity();
-  constexpr S kMaxShape2{1};  // early poses are wrong by a few degrees, and by some percent of the range
   const auto cost = [&](std::size_t m, std::size_t i) -> S {
-    const Appearance<S>& marker = markers[m];
-    if (!marker.visible || sightings[i].kind != mark_kind(M::kMarkers[m].kind)) return kForbidden;
-    const S most = reach * marker.radius + S(3) * pixel;
-    const S d2 = (sightings[i].s_star - marker.s).squaredNorm() / (most * most);
-    if (!(d2 < S(1)) || !is_placed<M>(m, anchor, known)) return kForbidden;
-    return shape_distance2(marker.shape, sightings[i].shape) < kMaxShape2 ? d2 : kForbidden;
+    if (!is_placed<M>(m, anchor, known) || !is_near<M>(m, markers[m], sightings[i], reach, pixel)) {
+      return std::numeric_limits<S>::infinity();
+    }
+    const S most = reach * markers[m].radius + S(3) * pixel;
+    return (sightings[i].s_star - markers[m].s).squaredNorm() / (most * most);
   };
   const auto partner = math::assign<kRows, kMaxSightings<M>>(kRows, sightings.size(), S(1), cost);
   Pairing<M> pairing;
@@ -89,16 +96,20 @@ Hypothesis<M, S> explain(const model::Configuration<M, S>& q, const Appearances<
   return hypothesis;
 }
 
-/// The least that any configuration with these markers unpaired can cost.
+/// The least that any configuration near this one can cost: of markers that no mark is near, and of marks that are
+/// left over even if every other marker takes one.
 template <class M, class S>
-S least_cost(const Appearances<M, S>& markers, const Pairing<M>& pairing, std::size_t num_sightings, int anchor,
-             JointSet known) noexcept {
+S least_cost(const Appearances<M, S>& markers, const Sightings<M, S>& sightings, int anchor, JointSet known, S reach,
+             S pixel) noexcept {
   int missed = 0;
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    missed += markers[m].expected && pairing[m] < 0 && is_placed<M>(m, anchor, known) ? 1 : 0;
+    if (!markers[m].expected || !is_placed<M>(m, anchor, known)) continue;
+    bool found = false;
+    for (const Sighting<S>& seen : sightings) found = found || is_near<M>(m, markers[m], seen, reach, pixel);
+    missed += found ? 0 : 1;
   }
-  const int surplus = static_cast<int>(num_sightings) - model::kNumMarkers<M>;
-  return kPrice<S> * static_cast<S>(missed + (surplus + missed > 0 ? surplus + missed : 0));
+  const int surplus = static_cast<int>(sightings.size()) - model::kNumMarkers<M> + missed;
+  return kPrice<S> * static_cast<S>(missed + (surplus > 0 ? surplus : 0));
 }
 
 /// Whether joints stand beyond their range by more than noise and a bent stop can make: 2 % of it.
