@@ -45,6 +45,10 @@ class Acquisition {
 
   /// Begins, or goes on. `variance_factor` is the noise's scale over what the detector promises.
   const Acquired<M, S>& search(const vision::Detections& detections, S variance_factor) noexcept;
+  /// What explains the marks surely better than q, of which it is the mirror image or another value of a joint.
+  /// Errors  too_few_features when nothing does.
+  Result<Configuration> better_than(const Configuration& q, const vision::Detections& detections,
+                                    S variance_factor) noexcept;
   const Acquired<M, S>& result() const noexcept { return result_; }
   const Sightings<M, S>& sightings() const noexcept { return sightings_; }
   void reset() noexcept { result_ = {}, next_ = {}; }

@@ -20,6 +20,26 @@ const Acquired<M, S>& Acquisition<M, S>::search(const vision::Detections& detect
 }
 
 template <class M, class S>
+auto Acquisition<M, S>::better_than(const Configuration& q, const vision::Detections& detections,
+                                    S variance_factor) noexcept -> Result<Configuration> {
+  reset();
+  variance_factor_ = variance_factor;
+  sightings_ = gather<M, S>(detections, camera_, floor_px_);
+  num_trials_ = 0;
+  next_.pass = 1;  // without its limit
+  if (kMarkerPairs<M>.empty()) return Status::too_few_features;
+  weigh(q, M::kMarkers[kMarkerPairs<M>[0].a].body, ~JointSet{0});
+  if (result_.candidates.empty()) return Status::too_few_features;
+  const Hypothesis<M, S> given = result_.candidates[0];
+  challenge();
+  result_.complete = true;
+  conclude();
+  const bool better = result_.certainty == Certainty::sure && is_distinct(result_.candidates[0], given);
+  if (!better) return Status::too_few_features;
+  return result_.candidates[0].q;
+}
+
+template <class M, class S>
 void Acquisition<M, S>::try_pairs() noexcept {
   while (!result_.complete && result_.work < kBudget) {
     consider();

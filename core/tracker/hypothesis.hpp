@@ -150,4 +150,23 @@ bool is_distinct(const Hypothesis<M, S>& x, const Hypothesis<M, S>& y) noexcept 
   return false;
 }
 
+/// Of several hypotheses the one whose markers are nearest to where q has them. There must be one.
+template <class M, class S, std::size_t N>
+const Hypothesis<M, S>& nearest(const FixedVector<Hypothesis<M, S>, N>& hypotheses,
+                                const model::Configuration<M, S>& q) noexcept {
+  const auto kin_q = model::forward_kinematics<M, S>(q.joints);
+  std::size_t best = 0;
+  S least = std::numeric_limits<S>::infinity();
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+    const auto& [T_cam_obj, joints] = hypotheses[k].q;
+    const auto kinematics = model::forward_kinematics<M, S>(joints);
+    S sum{0};
+    for (std::size_t m = 0; m < kinematics.markers.size(); ++m) {
+      sum += (T_cam_obj * kinematics.markers[m].centre - q.T_cam_obj * kin_q.markers[m].centre).squaredNorm();
+    }
+    if (sum < least) best = k, least = sum;
+  }
+  return hypotheses[best];
+}
+
 }  // namespace articam::tracker

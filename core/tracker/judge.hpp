@@ -20,6 +20,7 @@ struct Evidence {
   bool weak{};           ///< some degree of freedom is held by its prior
   bool outlier{};
   bool overloaded{};
+  Reason unacquired{Reason::none};  ///< why a search without a prediction found nothing; none where it was not needed
 };
 
 struct Verdict {
@@ -30,7 +31,8 @@ struct Verdict {
 /// Remembers what a status depends on beside the frame: when the object was last measured.
 class Judge {
  public:
-  explicit Judge(const Options& options) noexcept : options_{options} {}
+  /// `has_start`: a prediction to begin from was given. Without one an object may take its time to come into view.
+  explicit Judge(const Options& options, bool has_start = true) noexcept : options_{options}, has_start_{has_start} {}
 
   /// True while there is a recent estimate to predict from; otherwise the whole frame is searched.
   bool following(Timestamp t) const noexcept {
@@ -54,7 +56,7 @@ class Judge {
     // q0 is a prediction, too: not found in the time that one is worth, the object is lost from the beginning. But the
     // paper's law comes near it by a quarter each tenth of a second, and may take as long as it takes.
     const bool in_time = !any_frame_ || seconds_between(t_begin_, t) <= options_.coast_time_s;
-    const bool begins = !ever_measured_ && (in_time || options_.mode == Mode::paper);
+    const bool begins = !ever_measured_ && (in_time || !has_start_ || options_.mode == Mode::paper);
     return {begins ? TrackingStatus::initialising : TrackingStatus::lost, reason};
   }
 
@@ -65,6 +67,9 @@ class Judge {
   Verdict consider(const Evidence& evidence, Timestamp t) const noexcept {
     using enum TrackingStatus;
     if (misfits_ >= kMisfitsToFault) return {fault, Reason::large_residual};
+    if (evidence.unacquired != Reason::none) {
+      return unmeasured(evidence.overloaded ? Reason::overload : evidence.unacquired, t);
+    }
     const bool enough = following(t) ? evidence.matched > 0 : evidence.redundant;
     if (!enough) return unmeasured(evidence.overloaded ? Reason::overload : Reason::few_markers, t);
     if (!evidence.agrees) return unmeasured(Reason::large_residual, t);
@@ -81,6 +86,7 @@ class Judge {
   }
 
   Options options_;
+  bool has_start_;
   bool any_frame_{false};
   Timestamp t_begin_{};
   bool ever_measured_{false};

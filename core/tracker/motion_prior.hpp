@@ -20,9 +20,7 @@ class MotionPrior {
   explicit MotionPrior(const Options& options) noexcept : options_{options} {}
 
   void start(const Configuration& q0) noexcept {
-    q_ = q0;
-    deviation_ = most();
-    rates_.setZero();
+    restart(q0);
     has_time_ = false;
   }
 
@@ -69,6 +67,13 @@ class MotionPrior {
   Observability observability(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
     if (!is_weak(covariance, i)) return Observability::observed;
     return covariance(i, i) < S(0.98) * deviation_[i] * deviation_[i] ? Observability::weak : Observability::held;
+  }
+
+  /// The object was found at q, whatever was expected.
+  void restart(const Configuration& q) noexcept {
+    q_ = q;
+    deviation_ = most();
+    rates_.setZero();
   }
 
   /// Nothing is known of the motion any more: the mean stays where it is.

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/tracker/acquire.hpp"
 #include "core/tracker/associate.hpp"
 #include "core/tracker/consensus.hpp"
 #include "core/tracker/estimate.hpp"
@@ -17,7 +18,9 @@ namespace articam::tracker {
 
 /// Follows one object with one camera. Fixed size, no heap, not even in the constructor.
 ///
-/// Without a start (q0 compiled into the model, or set_start) every estimate is `initialising`, reason no_start.
+/// Without a start (q0 compiled into the model, or set_start) it finds the object by itself: `initialising` until one
+/// configuration explains a frame and no other does. Where two do, the reason is `ambiguous`, and candidates() has both;
+/// a start, or where the object was last seen, decides. The paper's mode needs a start: no_start without one.
 template <class Model, class Scalar>
 class Tracker {
  public:
@@ -44,6 +47,10 @@ class Tracker {
   const vision::Detections& detections() const noexcept { return detections_; }
   bool overloaded() const noexcept { return evidence_.overloaded; }  ///< the newest frame exceeded the detector
   const Matches<Model, Scalar>& matches() const noexcept { return matches_; }
+  /// What the newest search without a prediction has found, the likeliest first. After `ambiguous`, both.
+  const FixedVector<Hypothesis<Model, Scalar>, 2>& candidates() const noexcept {
+    return acquisition_.result().candidates;
+  }
   const vision::CameraModel<Scalar>& camera() const noexcept { return camera_; }
   const Options& options() const noexcept { return options_; }
 
@@ -65,6 +72,9 @@ class Tracker {
   void match(const Gate<Scalar>& gate) noexcept;
   void iterate() noexcept;
   void search() noexcept;
+  void acquire() noexcept;
+  bool is_found() const noexcept;
+  void settle(const Configuration& q) noexcept;
   void paper_step() noexcept;
   void weigh() noexcept;
   EstimateType judge(Timestamp t) noexcept;
@@ -79,8 +89,9 @@ class Tracker {
   Judge judge_;
   MotionPrior<Model, Scalar> motion_;
   PaperIntegrator<Model, Scalar> paper_;
+  Acquisition<Model, Scalar> acquisition_;
   NoiseScale<Scalar> noise_{};
-  bool has_start_{false};
+  bool has_start_{false};  ///< a place to search from first: given, or where the object was last seen
   bool any_frame_{false};
   Timestamp t_frame_{};  ///< of the last frame that was not refused
 
@@ -96,6 +107,7 @@ class Tracker {
   Matches<Model, Scalar> previous_matches_{};
   Consensus<Model, Scalar> found_{};
   Evidence evidence_{};
+  int spare_{};  ///< equations beyond the degrees of freedom that they observe
 };
 
 }  // namespace articam::tracker

@@ -31,7 +31,12 @@ constexpr vision::DetectorOptions detector_options() noexcept {
 
 template <class Model, class Scalar>
 Tracker<Model, Scalar>::Tracker(const CameraParameters& camera, const Options& options) noexcept
-    : options_{options}, camera_{camera}, detector_{detector_options<Model>()}, judge_{options}, motion_{options} {
+    : options_{options},
+      camera_{camera},
+      detector_{detector_options<Model>()},
+      judge_{options, false},
+      motion_{options},
+      acquisition_{camera_, static_cast<Scalar>(options.floor_px)} {
   static_assert(detector_options<Model>().ok(), "the rings' inner : outer diameter is out of the detector's range");
   if constexpr (Model::kHasQ0) {
     if (const auto q0 = model::from_numbers<Model, Scalar>(Model::kQ0); q0.ok()) set_start(q0.value());
@@ -42,7 +47,8 @@ template <class Model, class Scalar>
 void Tracker<Model, Scalar>::set_start(const Configuration& q0) noexcept {
   motion_.start(q0);
   paper_.reset();
-  judge_ = Judge{options_};
+  judge_ = Judge{options_, true};
+  acquisition_.reset();
   noise_ = {};
   matches_ = {};
   has_start_ = true;
@@ -69,22 +75,27 @@ auto Tracker<Model, Scalar>::step(const vision::Detections& detections, bool ove
 
 template <class Model, class Scalar>
 auto Tracker<Model, Scalar>::follow(Timestamp t) noexcept -> EstimateType {
-  match(following_ ? kTrackingGate<Scalar> : kSearchGate<Scalar>);  // detections -> pairs (s, s_star)
-  if (options_.mode == Mode::paper) {
-    paper_step();  // pairs -> e, A -> (5) -> (6)
-  } else if (following_) {
-    iterate();  // pairs -> e, A -> steps to convergence
-  } else {
-    search();  // the same, pairing anew as q improves
+  const bool paper = options_.mode == Mode::paper;
+  if (has_start_) {
+    match(following_ ? kTrackingGate<Scalar> : kSearchGate<Scalar>);  // detections -> pairs (s, s_star)
+    if (paper) {
+      paper_step();  // pairs -> e, A -> (5) -> (6)
+    } else if (following_) {
+      iterate();  // pairs -> e, A -> steps to convergence
+    } else {
+      search();  // the same, pairing anew as q improves
+    }
+    weigh();  // how well does it fit
   }
-  weigh();  // how well does it fit
+  if (!following_ && !paper) acquire();  // detections -> q without a prediction
+  if (!paper && evidence_.agrees && evidence_.converged) noise_.learn(found_.solution.chi2, spare_);
   return judge(t);
 }
 
 /// What is wrong with a frame before a pixel of it is read.
 template <class Model, class Scalar>
 Reason Tracker<Model, Scalar>::refusal(Timestamp t) const noexcept {
-  if (!has_start_) return Reason::no_start;
+  if (!has_start_ && options_.mode == Mode::paper) return Reason::no_start;
   return any_frame_ && t <= t_frame_ ? Reason::stale_frame : Reason::none;
 }
 
@@ -102,7 +113,7 @@ auto Tracker<Model, Scalar>::coast(Timestamp t, Reason reason) const noexcept ->
   (void)motion.advance(t);
   if (!following) motion.widen();
   Verdict verdict = judge_.unmeasured(reason, t);
-  if (!has_start_) verdict = {TrackingStatus::initialising, Reason::no_start};
+  if (!has_start_ && options_.mode == Mode::paper) verdict = {TrackingStatus::initialising, Reason::no_start};
   if (reason == Reason::image_mismatch && !following) verdict.status = TrackingStatus::fault;
   EstimateType estimate;
   estimate.t_capture = t;
@@ -180,6 +191,45 @@ void Tracker<Model, Scalar>::search() noexcept {
   found_.solution.iterations = iterations;
 }
 
+/// Whether the search from a start has done its work.
+template <class Model, class Scalar>
+bool Tracker<Model, Scalar>::is_found() const noexcept {
+  return evidence_.redundant && evidence_.agrees && evidence_.converged && !evidence_.weak && !evidence_.contradictory;
+}
+
+template <class Model, class Scalar>
+void Tracker<Model, Scalar>::acquire() noexcept {
+  if (is_found()) {
+    const auto better = acquisition_.better_than(q_, detections_, noise_.factor());
+    if (better.ok()) settle(better.value());
+    return;
+  }
+  const Acquired<Model, Scalar>& acquired = acquisition_.search(detections_, noise_.factor());
+  if (acquired.certainty == Certainty::sure) {
+    settle(acquired.candidates[0].q);
+  } else if (acquired.certainty == Certainty::ambiguous && has_start_) {
+    settle(nearest(acquired.candidates, motion_.q()).q);
+  } else if (!has_start_) {
+    evidence_.unacquired = acquired.reason;
+  }
+}
+
+/// The object is at q or very near: pairs anew and solves.
+template <class Model, class Scalar>
+void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
+  const Scalar first_error = found_.solution.error_norm;
+  evidence_ = {.overloaded = evidence_.overloaded};
+  rms_px_ = Scalar(0);
+  motion_.restart(q);
+  q_ = q;
+  predict();
+  match(kTrackingGate<Scalar>);
+  iterate();
+  weigh();
+  if (has_start_) found_.solution.error_norm = first_error;
+  has_start_ = true;
+}
+
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::paper_step() noexcept {
   using Rows = Vec<Scalar, System<Model, Scalar>::kRows>;
@@ -218,14 +268,13 @@ void Tracker<Model, Scalar>::weigh() noexcept {
   if (solution.status != Status::ok || evidence_.matched == 0) return;
   int observed = 0;
   for (int i = 0; i < kDof; ++i) observed += motion_.is_weak(solution.covariance, i) ? 0 : 1;
-  const int spare = 2 * evidence_.matched - observed;
+  spare_ = 2 * evidence_.matched - observed;
   rms_px_ = rms_px();
   const bool paper = options_.mode == Mode::paper;
   evidence_.weak = observed < kDof;
-  evidence_.redundant = spare > 0;
+  evidence_.redundant = spare_ > 0;
   evidence_.agrees = rms_px_ <= static_cast<Scalar>(paper ? kPaperMaxRms_px : options_.max_rms_px);
   evidence_.converged = paper ? evidence_.agrees : solution.converged;
-  if (!paper && evidence_.agrees && evidence_.converged) noise_.learn(solution.chi2, spare);
 }
 
 template <class Model, class Scalar>

@@ -12,7 +12,7 @@
 
 namespace articam::wire {
 
-inline constexpr std::uint32_t kSchema = 1;  ///< of articam.proto
+inline constexpr std::uint32_t kSchema = 2;  ///< of articam.proto
 
 // The capacities of articam.options.
 inline constexpr std::size_t kMaxJoints = 16;

@@ -226,8 +226,9 @@ TEST_F(PrinterTracker, InPapersModeFollowsTheTranscriptionOfEquations5And6FromFr
   }
 }
 
-TEST(Tracker, WithoutAStartSaysSoAndTouchesNoPixel) {
-  const auto tracker = std::make_unique<tracker::Tracker<test::Arm, float>>(Scenario::camera());
+TEST(Tracker, InPapersModeWithoutAStartSaysSoAndTouchesNoPixel) {
+  const auto tracker = std::make_unique<tracker::Tracker<test::Arm, float>>(
+      Scenario::camera(), tracker::Options{.mode = tracker::Mode::paper});
   const auto estimate = tracker->step({}, from_seconds(0));
   EXPECT_EQ(estimate.status, initialising);
   EXPECT_EQ(estimate.reason, Reason::no_start);
