@@ -39,7 +39,7 @@ class Acquisition {
 
   /// Steps of a frame: one for a solver's iteration or a look at all markers, or for 32 pairs of marks tried. The
   /// hypothesis at which it ends is finished, with the challenge that follows.
-  static constexpr int kBudget = 1500;
+  static constexpr int kBudget = 900;
 
   Acquisition(const vision::CameraModel<S>& camera, S floor_px) noexcept : camera_{camera}, floor_px_{floor_px} {}
 

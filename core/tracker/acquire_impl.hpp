@@ -108,7 +108,8 @@ bool Acquisition<M, S>::place_markers(PlacedMarker<S>& a, PlacedMarker<S>& b, Co
     return true;
   }
   const auto range = joint_range<M, S>(pair.joint);
-  const S piece = range.length() / static_cast<S>(travel_pieces<M>(pair.joint)), begin = range.low + piece * static_cast<S>(next_.piece);
+  const S piece = range.length() / static_cast<S>(travel_pieces<M>(pair.joint)),
+          begin = range.low + piece * static_cast<S>(next_.piece);
   q.joints[pair.joint] = begin;
   const S first = place();
   q.joints[pair.joint] = begin + piece;
@@ -130,7 +131,8 @@ void Acquisition<M, S>::consider() noexcept {
   const Sighting<S>&i = sightings_[next_.i], &j = sightings_[next_.j];
   if (i.kind != mark_kind(M::kMarkers[pair.a].kind) || j.kind != mark_kind(M::kMarkers[pair.b].kind)) return;
   for (const Hypothesis<M, S>& hypothesis : result_.candidates) {
-    if (hypothesis.sighting[pair.a] == static_cast<int>(next_.i) && hypothesis.sighting[pair.b] == static_cast<int>(next_.j)) {
+    if (hypothesis.sighting[pair.a] == static_cast<int>(next_.i) &&
+        hypothesis.sighting[pair.b] == static_cast<int>(next_.j)) {
       return;
     }
   }
@@ -148,7 +150,7 @@ void Acquisition<M, S>::consider() noexcept {
 template <class M, class S>
 void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept {
   Pairing<M> pairing;
-  if (!approach(q, anchor, known, S(2), kFirstIterations, pairing)) return;
+  if (!approach(q, anchor, known, S(1.2), kFirstIterations, pairing)) return;
   if (!approach(q, anchor, known, S(0.7), kIterations, pairing)) return;
   if (second_guess < 0) {
     if (was_tried(q, anchor)) return;
@@ -161,7 +163,10 @@ void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int
     const auto guesses = joint_search.search(q, anchor, known, j, pairing);
     result_.work += travel_pieces<M>(j) / 4 + static_cast<int>(guesses.size()) + 1;
     const std::size_t choice = j == second_guess ? 1 : 0;
-    if (guesses.size() <= choice) continue;
+    if (guesses.size() <= choice) {
+      if (choice > 0) return;  // there is no other
+      continue;
+    }
     q = with_joint<M, S>(q, anchor, j, guesses[choice].value);
     known |= JointSet{1} << j;
     if (!approach(q, anchor, known, S(1), kIterations, pairing)) return;
@@ -190,7 +195,7 @@ bool Acquisition<M, S>::was_tried(const Configuration& q, int anchor) const noex
 template <class M, class S>
 void Acquisition<M, S>::remember(const Configuration& q, int anchor) noexcept {
   Pose<S> T_cam_anchor = q.T_cam_obj;
-  if constexpr (model::kNumBodies<M> > 0) {
+  if constexpr (model::kNumBodies < M >> 0) {
     const auto kinematics = model::forward_kinematics<M, S>(q.joints);
     if (anchor >= 0) T_cam_anchor = T_cam_anchor * kinematics.T_obj_body[static_cast<std::size_t>(anchor)];
   }
@@ -214,7 +219,7 @@ int Acquisition<M, S>::next_joint(int anchor, JointSet known, JointSet tried) co
 /// Pairs the placed markers with marks within reach and solves for q. False when nothing is gained by going on.
 template <class M, class S>
 bool Acquisition<M, S>::approach(Configuration& q, int anchor, JointSet known, S reach, int iterations,
-                                Pairing<M>& pairing) noexcept {
+                                 Pairing<M>& pairing) noexcept {
   const auto markers = appear<M, S>(q, camera_);
   const S pixel = S(1) / camera_.focal_px();
   ++result_.work;

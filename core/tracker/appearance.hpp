@@ -9,11 +9,11 @@ namespace articam::tracker {
 /// A marker as a configuration shows it.
 template <class S>
 struct Appearance {
-  bool visible{};                        ///< it faces the camera, its centre inside the image
-  bool expected{};                       ///< a frame without it needs an excuse
-  Vec<S, 3> centre{Vec<S, 3>::Zero()};   ///< m, {cam}
-  Vec<S, 2> s{Vec<S, 2>::Zero()};        ///< centre of its image, metric plane
-  S radius{};                            ///< of its image, metric plane
+  bool visible{};                       ///< it faces the camera, its centre inside the image
+  bool expected{};                      ///< a frame without it needs an excuse
+  Vec<S, 3> centre{Vec<S, 3>::Zero()};  ///< m, {cam}
+  Vec<S, 2> s{Vec<S, 2>::Zero()};       ///< centre of its image, metric plane
+  S radius{};                           ///< of its image, metric plane
   Shape<S> shape{Shape<S>::Zero()};
 };
 

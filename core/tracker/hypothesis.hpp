@@ -21,7 +21,7 @@ struct Hypothesis {
   int anchor{-1};    ///< the body that it was begun from
   JointSet known{};  ///< the joints that it found; others stand amid their ranges
   int paired{};
-  S misfit{};         ///< the part of the cost that the pairs have
+  S misfit{};  ///< the part of the cost that the pairs have
   S cost{};
   bool challenged{};  ///< its mirror image and other joint values were looked at
 };
@@ -136,7 +136,8 @@ bool is_determined(const Hypothesis<M, S>& hypothesis) noexcept {
   return (all & ~told) == 0;
 }
 
-/// Two hypotheses say different things if a marker that one of them has seen is elsewhere in the other, or another mark.
+/// Two hypotheses say different things if a marker that one of them has seen is elsewhere in the other, or another
+/// mark.
 template <class M, class S>
 bool is_distinct(const Hypothesis<M, S>& x, const Hypothesis<M, S>& y) noexcept {
   const auto kin_x = model::forward_kinematics<M, S>(x.q.joints), kin_y = model::forward_kinematics<M, S>(y.q.joints);

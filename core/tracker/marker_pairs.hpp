@@ -45,7 +45,7 @@ template <class M>
 constexpr std::size_t count_pairs() {
   std::size_t n = 0;
   for (std::size_t b = 0; b < M::kMarkers.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) n += is_pair<M>(a, b) ? 1 : 0;
+    for (std::size_t a = 0; a < b; ++a) n += is_pair<M>(a, b) ? 1u : 0u;
   }
   return n;
 }

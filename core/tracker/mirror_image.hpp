@@ -23,7 +23,7 @@ Prior<M, S> open_prior(const model::Configuration<M, S>& q) noexcept {
 template <class M, class S>
 Prior<M, S> held_prior(const model::Configuration<M, S>& q) noexcept {
   Prior<M, S> prior = open_prior<M, S>(q);
-  prior.variance.template head<3>().setConstant(S(0.0025));        // 5 cm
+  prior.variance.template head<3>().setConstant(S(0.0025));    // 5 cm
   prior.variance.template segment<3>(3).setConstant(S(0.04));  // 0.2 rad
   return prior;
 }

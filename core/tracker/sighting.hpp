@@ -39,10 +39,9 @@ struct Sighting {
 
 /// More marks than these are clutter for certain, or for want of memory.
 template <class M>
-inline constexpr std::size_t kMaxSightings =
-    2 * model::kNumMarkers<M> + 8 < static_cast<int>(kMaxDetections)
-        ? static_cast<std::size_t>(2 * model::kNumMarkers<M> + 8)
-        : kMaxDetections;
+inline constexpr std::size_t kMaxSightings = 2 * model::kNumMarkers<M> + 8 < static_cast<int>(kMaxDetections)
+                                                 ? static_cast<std::size_t>(2 * model::kNumMarkers<M> + 8)
+                                                 : kMaxDetections;
 
 template <class M, class S>
 using Sightings = FixedVector<Sighting<S>, kMaxSightings<M>>;

@@ -19,8 +19,8 @@ namespace articam::tracker {
 /// Follows one object with one camera. Fixed size, no heap, not even in the constructor.
 ///
 /// Without a start (q0 compiled into the model, or set_start) it finds the object by itself: `initialising` until one
-/// configuration explains a frame and no other does. Where two do, the reason is `ambiguous`, and candidates() has both;
-/// a start, or where the object was last seen, decides. The paper's mode needs a start: no_start without one.
+/// configuration explains a frame and no other does. Where two do, the reason is `ambiguous`, and candidates() has
+/// both; a start, or where the object was last seen, decides. The paper's mode needs a start: no_start without one.
 template <class Model, class Scalar>
 class Tracker {
  public:

@@ -39,10 +39,10 @@ constexpr std::string_view name(TrackingStatus status) noexcept {
   return kNames[static_cast<std::size_t>(status)];
 }
 constexpr std::string_view name(Reason reason) noexcept {
-  constexpr std::string_view kNames[]{
-      "none",           "no_start", "no_frame",   "stale_frame", "image_mismatch", "few_markers", "not_converged",
-      "large_residual", "outlier",  "weak_joint", "overload",    "camera_stalled", "camera_gone", "late_result",
-      "ambiguous"};
+  constexpr std::string_view kNames[]{"none",           "no_start",    "no_frame",      "stale_frame",
+                                      "image_mismatch", "few_markers", "not_converged", "large_residual",
+                                      "outlier",        "weak_joint",  "overload",      "camera_stalled",
+                                      "camera_gone",    "late_result", "ambiguous"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -17,7 +17,8 @@ struct ViewLimits {
 
 /// Whether the frame shows every ring or dot wholly, none hidden by another one's card (1.4 diameters) or by its edge.
 template <class M>
-bool shows_all(const model::Configuration<M, double>& q, const vision::CameraModel<double>& camera, double max_tilt_rad) {
+bool shows_all(const model::Configuration<M, double>& q, const vision::CameraModel<double>& camera,
+               double max_tilt_rad) {
   constexpr double kCard = 1.4;
   const auto markers = tracker::appear<M, double>(q, camera);
   const auto kinematics = model::forward_kinematics<M, double>(q.joints);
@@ -71,8 +72,9 @@ model::Configuration<M, double> random_view(const vision::CameraModel<double>& c
 }
 
 /// The detection of an ellipse seen through a pinhole; its centre and axes off by `deviation_px` each.
-inline vision::Detection detection_of(vision::MarkKind kind, const Vec<double, 2>& s, const tracker::Shape<double>& shape,
-                                      const CameraParameters& camera, double deviation_px, Random& random) {
+inline vision::Detection detection_of(vision::MarkKind kind, const Vec<double, 2>& s,
+                                      const tracker::Shape<double>& shape, const CameraParameters& camera,
+                                      double deviation_px, Random& random) {
   Mat<double, 2, 2> moments;
   moments << shape[0] * camera.fx_px * camera.fx_px, shape[1] * camera.fx_px * camera.fy_px,
       shape[1] * camera.fx_px * camera.fy_px, shape[2] * camera.fy_px * camera.fy_px;
