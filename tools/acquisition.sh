@@ -8,7 +8,7 @@ case ${1-} in
     cat <<'END'
 Usage: tools/acquisition.sh [VIEWS]
 
-Builds core_tracker_test with the preset host-release and runs its acquisition of rendered views on VIEWS of them (default
+Builds core_tracker_test with the preset host-release and runs its acquisition of rendered views on VIEWS (default
 2000): all markers in view, 0.4 to 1.5 m, tilt to 60 degrees. Prints every view that was not right, and fails if one was
 wrong and yet sure, or if fewer than 99.5 % were right.
 END
