@@ -10,13 +10,6 @@
 
 // From true ellipses with 0.02 px of noise, as the detector promises. Seeds are fixed.
 namespace articam::tracker {
-namespace {
-
-using models::PrinterDrawer;
-constexpr CameraParameters kCamera{
-    .width_px = 640, .height_px = 480, .fx_px = 525, .fy_px = 525, .cx_px = 319.5, .cy_px = 239.5};
-constexpr double kDeviation_px = 0.02, kFloor_px = 0.005;
-constexpr double kVarianceFactor = 25;  // a tracker's before it has learnt: five deviations
 
 /// A square of four rings that look alike: a quarter turn changes nothing.
 struct Square {
@@ -32,6 +25,14 @@ struct Square {
   static constexpr bool kHasQ0 = false;
   static constexpr std::array<double, 7> kQ0{0, 0, 0, 1, 0, 0, 0};
 };
+
+namespace {
+
+using models::PrinterDrawer;
+constexpr CameraParameters kCamera{
+    .width_px = 640, .height_px = 480, .fx_px = 525, .fy_px = 525, .cx_px = 319.5, .cy_px = 239.5};
+constexpr double kDeviation_px = 0.02, kFloor_px = 0.005;
+constexpr double kVarianceFactor = 25;  // a tracker's before it has learnt: five deviations
 
 /// Searches until nothing is left to try, the object standing still; the number of frames that it took.
 template <class M>
