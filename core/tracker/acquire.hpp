@@ -72,7 +72,10 @@ class Acquisition {
   static constexpr S kMargin{16};
   /// Mean cost of a good pair: 1 for the shape's two axes each, little for the centre, and a third of blur's bias.
   static constexpr S kMaxMisfit{9};
+  /// The same with a marker missing: few spare equations are left then, and a mirror image may cost 1 a pair.
+  static constexpr S kMaxMisfitOfPart{S(0.6)};
   static constexpr int kIterations = 8;
+  static constexpr int kFirstGuesses = -1, kNoJoint = model::kNumJoints<M>;  ///< see develop()
   static constexpr int kFirstIterations = 3;  ///< from two marks: pairs follow that say more
 
   void try_pairs() noexcept;

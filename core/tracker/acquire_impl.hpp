@@ -49,6 +49,7 @@ void Acquisition<M, S>::try_pairs() noexcept {
     const bool found = !result_.candidates.empty() && is_credible(result_.candidates[0]);
     result_.complete = next_.pass > 0 || (found && result_.candidates[0].cost + kMargin <= limit());
     next_ = {.pass = 1};
+    num_trials_ = 0;  // the first pass left off where this one may go on
   }
 }
 
@@ -135,16 +136,17 @@ void Acquisition<M, S>::consider() noexcept {
   if (!T_cam_obj.ok()) return;
   q.T_cam_obj = T_cam_obj.value();
   if (was_tried(q, M::kMarkers[pair.a].body)) return;
-  develop(q, M::kMarkers[pair.a].body, pair.joint < 0 ? 0 : JointSet{1} << pair.joint, -1);
+  develop(q, M::kMarkers[pair.a].body, pair.joint < 0 ? 0 : JointSet{1} << pair.joint, kFirstGuesses);
 }
 
-/// From a pose of the anchor body to a whole configuration. Of joint `second_guess` the second best value is taken.
+/// From a pose of the anchor body to a whole configuration. Of joint `second_guess` the second best value is taken; a
+/// challenge (anything but kFirstGuesses) does not heed what was tried: mirror images may be less than a radius apart.
 template <class M, class S>
 void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept {
   Pairing<M> pairing;
   if (!approach(q, anchor, known, S(1.2), kFirstIterations, pairing)) return;
   if (!approach(q, anchor, known, S(0.7), kIterations, pairing)) return;
-  if (second_guess < 0) {
+  if (second_guess == kFirstGuesses) {
     if (was_tried(q, anchor)) return;
     remember(q, anchor);
   }
@@ -235,7 +237,7 @@ void Acquisition<M, S>::challenge() noexcept {
     result_.candidates[k].challenged = true;
     const Hypothesis<M, S> hypothesis = result_.candidates[k];  // what is found may take its place
     if (const auto mirrored = mirror_image<M, S>(hypothesis); mirrored.ok()) {
-      develop(mirrored.value(), hypothesis.anchor, 0, -1);
+      develop(mirrored.value(), hypothesis.anchor, 0, kNoJoint);
     }
     for (int j = 0; j < model::kNumJoints<M>; ++j) develop(hypothesis.q, hypothesis.anchor, 0, j);
   }

@@ -79,8 +79,9 @@ bool Acquisition<M, S>::is_credible(const Hypothesis<M, S>& hypothesis) const no
     if (first < 0) first = static_cast<int>(m);
     joints |= joints_between<M>(M::kMarkers[static_cast<std::size_t>(first)].body, M::kMarkers[m].body);
   }
+  const bool whole = hypothesis.paired == model::kNumMarkers<M>;
   return 2 * hypothesis.paired > 6 + std::popcount(joints) && is_determined(hypothesis) &&
-         hypothesis.misfit <= kMaxMisfit * static_cast<S>(hypothesis.paired);
+         hypothesis.misfit <= (whole ? kMaxMisfit : kMaxMisfitOfPart) * static_cast<S>(hypothesis.paired);
 }
 
 template <class M, class S>
