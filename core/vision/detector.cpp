@@ -30,6 +30,16 @@ bool same_place(const Detection& a, const Detection& b) noexcept {
   return du * du + dv * dv < std::min(m00 * m00, m11 * m11) / 4;
 }
 
+// Of numbers that a mark in this frame may have, the fit's integers hold all that follows; others are no expectation.
+bool may_be_in(const ImageView& image, const Ellipse& e) noexcept {
+  const auto is_between = [](std::int64_t least, std::int64_t x_q16, int most_px) {
+    return x_q16 >= least && x_q16 <= std::int64_t{most_px} * kOne_q16;
+  };
+  return is_between(0, e.u_q16, image.width_px - 1) && is_between(0, e.v_q16, image.height_px - 1) &&
+         is_between(kOne_q16, e.m00_q16, image.width_px) && is_between(kOne_q16, e.m11_q16, image.height_px) &&
+         is_between(-std::int64_t{image.height_px} * kOne_q16, e.m10_q16, image.height_px);
+}
+
 // By insertion: std::sort calls itself, and the stack of a step must have a bound.
 void sort_by_rows(Detections& marks) noexcept {
   const auto is_before = [](const Detection& a, const Detection& b) {
@@ -82,6 +92,8 @@ Status Detector::measure(const ImageView& image, std::span<const Expected> expec
   overloaded_ = false;
   out.clear();
   for (const Expected& mark : expected) {
+    if (!seeks(mark.kind) || !may_be_in(image, mark.outer)) continue;
+    limits_.budget = 0;  // what a measurement may cost is bounded by itself
     Detection found;
     const bool there =
         mark.kind == MarkKind::ring
@@ -91,6 +103,11 @@ Status Detector::measure(const ImageView& image, std::span<const Expected> expec
   }
   sort_by_rows(out);
   return Status::ok;
+}
+
+bool Detector::seeks(MarkKind kind) const noexcept {
+  if (kind == MarkKind::ring) return options_.rings;
+  return kind == MarkKind::dot_light_on_dark ? options_.dots_light_on_dark : options_.dots_dark_on_light;
 }
 
 void Detector::search(const ImageView& image, const PixelBox& box, Detections& found) noexcept {
@@ -119,7 +136,7 @@ void Detector::search(const ImageView& image, const PixelBox& box, Detections& f
 
 void Detector::search_row(const View& view, int v, Detections& found) noexcept {
   constexpr int kFar = -4 * kMaxImageWidth_px;  // no chord with such an end may cross a mark
-  const std::int32_t ratio_q8 = options_.ring_ratio_q16 >> 8;
+  const std::int32_t ratio_q8 = options_.rings ? options_.ring_ratio_q16 >> 8 : 0;  // only of rings it was checked
   const bool dots = seeks_dots();
   int first = kFar, inner_first = kFar, inner_end = kFar, end = kFar;  // one by one, so that they stay in registers
   std::uint64_t before = row_.word(0) & 1;

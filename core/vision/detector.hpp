@@ -52,7 +52,7 @@ class Detector {
   Status detect_more(const ImageView& image, std::span<const PixelBox> windows, Detections& found) noexcept;
 
   /// Measures where marks are expected, to a tenth of their diameter; reads nothing else of the frame. Those that are
-  /// not there are left out.
+  /// not there are left out, and those of kinds that the options do not seek.
   Status measure(const ImageView& image, std::span<const Expected> expected, Detections& out) noexcept;
 
   /// The last frame, or one of its windows, had more structure or marks than the fixed capacities hold.
@@ -61,6 +61,7 @@ class Detector {
  private:
   struct View;
   bool may_read(const ImageView& image) const noexcept { return image.ok() && options_.ok(); }
+  bool seeks(MarkKind kind) const noexcept;
   bool seeks_dots() const noexcept { return options_.dots_light_on_dark || options_.dots_dark_on_light; }
   void search(const ImageView& image, const PixelBox& window, Detections& found) noexcept;
   void search_row(const View& view, int v, Detections& found) noexcept;

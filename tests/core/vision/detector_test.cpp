@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
@@ -165,6 +166,47 @@ TEST_F(DetectorLaws, DoNotReportARingAsADotToo) {
              std::abs(mark.outer.v_q16 - ring.outer.v_q16) < 4 * 65536;
     });
     EXPECT_EQ(here, 1);
+  }
+}
+
+// The fuzzer read 78 bytes before the frame.
+TEST_F(DetectorLaws, LeaveOutExpectationsThatNoFrameCanHold) {
+  const std::int32_t most = std::numeric_limits<std::int32_t>::max(), least = std::numeric_limits<std::int32_t>::min();
+  const std::int32_t u = 320 << 16, v = 240 << 16, m = 20 << 16;
+  const std::vector<Expected> expected{
+      {MarkKind::ring, {most, v, m, 0, m}},    {MarkKind::ring, {u, least, m, 0, m}},
+      {MarkKind::ring, {u, v, most, 0, most}}, {MarkKind::ring, {u, v, -m, 0, -m}},
+      {MarkKind::ring, {u, v, m, most, m}},    {MarkKind::dot_light_on_dark, {u, v, m, least, m}},
+      {MarkKind::dot_dark_on_light, {}}};
+  Detections found;
+  ASSERT_EQ(detector()->measure(image(), expected, found), Status::ok);
+  EXPECT_TRUE(found.empty());
+}
+
+// What measurements cost was summed up until it overflowed, after some minutes of tracking.
+TEST_F(DetectorLaws, MeasureOneFrameAfterTheOtherForHours) {
+  const Detections seen = detect(image());
+  ASSERT_EQ(seen.size(), 6u);
+  const std::vector<Expected> expected(20000, {seen[0].kind, seen[0].outer});
+  const auto used = detector();
+  Detections found;
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_EQ(used->measure(image(), expected, found), Status::ok);
+    ASSERT_EQ(found.size(), 1u);
+  }
+}
+
+// A ratio of 0 was divided by, one of 2^31 multiplied with.
+TEST_F(DetectorLaws, DoNotUseTheRatioOfRingsThatAreNotSought) {
+  const Detections rings = detect(image());
+  ASSERT_FALSE(rings.empty());
+  for (const std::int32_t ratio_q16 : {0, std::numeric_limits<std::int32_t>::min()}) {
+    const auto dots = detector({.rings = false, .dots_dark_on_light = true, .ring_ratio_q16 = ratio_q16});
+    const Expected ring{MarkKind::ring, rings[0].outer};
+    Detections found;
+    ASSERT_EQ(dots->detect(image(), found), Status::ok);
+    ASSERT_EQ(dots->measure(image(), {&ring, 1}, found), Status::ok);
+    EXPECT_TRUE(found.empty());
   }
 }
 
