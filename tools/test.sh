@@ -36,7 +36,7 @@ tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev \
   dpkg-dev file `# cpack`
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
 computing=(--target articam-bits --target articam-board --target articam-listen --target articam-modelgen
-  --target articam-sim --target fuzz_modelgen)
+  --target articam-sim --target fuzz_detector --target fuzz_modelgen)
 # The URDF corpus is not part of the repository; without it the build has no such targets.
 corpus=()
 if [ -d ../shared/urdf_corpus ]; then corpus=(--target corpus_verdicts); fi

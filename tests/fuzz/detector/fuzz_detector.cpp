@@ -37,7 +37,7 @@ std::vector<PixelBox> odd_windows(FuzzedDataProvider& bytes) {
       windows.push_back({bytes.ConsumeIntegral<int>(), bytes.ConsumeIntegral<int>(), bytes.ConsumeIntegral<int>(),
                          bytes.ConsumeIntegral<int>()});
     } else {
-      const int u = bytes.ConsumeIntegralInRange(-20, 160), v = bytes.ConsumeIntegralInRange(-20, 120);
+      const int u = bytes.ConsumeIntegralInRange(-20, 110), v = bytes.ConsumeIntegralInRange(-20, 90);
       windows.push_back({u, v, u + bytes.ConsumeIntegralInRange(-1, 90), v + bytes.ConsumeIntegralInRange(-1, 90)});
     }
   }
@@ -140,6 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Detections measured;
   law(detector->measure(image, expected, measured) == Status::ok, "expected marks are measured");
   check(measured, image);
+  check_kinds(measured, options);
   law(measured.size() <= expected.size(), "no more than expected");
 
   law(detector->detect(other.view(), again) == Status::ok && equal(whole, again) &&

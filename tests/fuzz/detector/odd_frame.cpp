@@ -98,8 +98,8 @@ OddFrame odd_frame(FuzzedDataProvider& bytes) {
   // Strips as long as the largest frame, and small frames of any shape: a whole large frame costs too many
   // milliseconds.
   const int shape = bytes.ConsumeIntegralInRange(0, 15);
-  const int width = bytes.ConsumeIntegralInRange(1, shape == 0 ? kMaxImageWidth_px : 160);
-  const int height = bytes.ConsumeIntegralInRange(1, shape == 1 ? kMaxImageHeight_px : (shape == 0 ? 24 : 120));
+  const int width = bytes.ConsumeIntegralInRange(1, shape == 0 ? kMaxImageWidth_px : 112);
+  const int height = bytes.ConsumeIntegralInRange(1, shape == 1 ? kMaxImageHeight_px : (shape == 0 ? 24 : 88));
   const int stride = width + bytes.ConsumeIntegralInRange(0, 70);
   OddFrame frame{shape == 1 ? std::min(width, 24) : width, height, stride, 0};
   paint_ground(bytes, frame);
