@@ -135,7 +135,8 @@ void Detector::search(const ImageView& image, const PixelBox& box, Detections& f
 }
 
 void Detector::search_row(const View& view, int v, Detections& found) noexcept {
-  constexpr int kFar = -4 * kMaxImageWidth_px;  // no chord with such an end may cross a mark
+  constexpr int kFar = -16 * kMaxImageWidth_px;  // no chord with such an end may cross a mark
+  static_assert(!may_cross_ring({kFar, kFar, 0, kMaxImageWidth_px}, kMaxRingRatio_q16 >> 8));
   const std::int32_t ratio_q8 = options_.rings ? options_.ring_ratio_q16 >> 8 : 0;  // only of rings it was checked
   const bool dots = seeks_dots();
   int first = kFar, inner_first = kFar, inner_end = kFar, end = kFar;  // one by one, so that they stay in registers

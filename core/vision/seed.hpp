@@ -15,7 +15,7 @@ struct RowChord {
 
 /// The chords that a row cuts from a ring's two edges have one middle, whatever its tilt, and near the centre lengths
 /// of the edges' ratio. Called at every dark run's end: three comparisons and no branch.
-inline bool may_cross_ring(const RowChord& chord, std::int32_t ratio_q8) noexcept {
+constexpr bool may_cross_ring(const RowChord& chord, std::int32_t ratio_q8) noexcept {
   const int left = chord.inner_first - chord.first, right = chord.end - chord.inner_end;
   const int hole = chord.inner_end - chord.inner_first, whole = chord.end - chord.first;
   const int lopsided = left > right ? left - right : right - left, expected_q8 = ratio_q8 * whole;

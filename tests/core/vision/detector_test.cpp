@@ -210,6 +210,15 @@ TEST_F(DetectorLaws, DoNotUseTheRatioOfRingsThatAreNotSought) {
   }
 }
 
+// A row of two changes was taken for a chord that began five kilobytes before it: the address sanitizer sees it here.
+TEST(Detector, TakesNoChordThatBeginsBeforeItsRow) {
+  std::vector<std::uint8_t> pixels(kMaxImageWidth_px * 16, 20);
+  for (std::size_t i = 0; i < pixels.size(); i += kMaxImageWidth_px)
+    pixels[i] = pixels[i + kMaxImageWidth_px - 1] = 220;
+  const ImageView wide{pixels.data(), kMaxImageWidth_px, 16, kMaxImageWidth_px};
+  EXPECT_TRUE(detect(wide, {.ring_ratio_q16 = kMaxRingRatio_q16}).empty());
+}
+
 TEST(Detector, RefusesAViewThatMayNotBeReadAndLeavesTheOutputAsItWas) {
   const std::vector<std::uint8_t> pixels(100, 0);
   Detections out;
