@@ -37,11 +37,14 @@ GreyPlane still_background(const CameraParameters& camera, const RenderOptions& 
 
 Renderer::Renderer(const CameraParameters& camera, const RenderOptions& options)
     : camera_{camera},
+      motion_{{options.motion_px[0], options.motion_px[1]}},
       blur_{options.blur_px},
       noise_{options.noise_grey, options.seed},
       background_{still_background(camera, options)},
+      moved_background_{background_},
       soft_background_{background_},
       sharp_{background_},
+      moved_{background_},
       soft_{background_} {
   for (int row = 0; row <= camera.height_px; ++row) {
     for (int column = 0; column <= camera.width_px; ++column) {
@@ -59,7 +62,8 @@ Renderer::Renderer(const CameraParameters& camera, const RenderOptions& options)
     const double across = static_cast<double>(u) / camera.width_px;
     light_q14_.push_back(rounded((1 + across * (darkest - 1)) * (1 << kLightBits)));
   }
-  blur_.apply(background_, whole(background_), soft_);
+  if (!motion_.still()) motion_.apply(background_, whole(background_), moved_background_);
+  blur_.apply(moved_background_, whole(soft_), soft_);
   light(whole(soft_));
   soft_background_ = soft_;
 }
@@ -68,12 +72,16 @@ void Renderer::render(std::span<const SceneMarker> markers, std::uint64_t frame_
                       std::vector<std::uint8_t>& pixels) {
   sharp_ = background_;
   soft_ = soft_background_;
+  if (!motion_.still()) moved_ = moved_background_;
   std::vector<PixelBox> touched;
   for (const SceneMarker& marker : markers) touched.push_back(paint_marker(marker));
+  for (PixelBox& box : touched) {
+    if (!box.empty()) box = move(box);
+  }
   for (const PixelBox& box : touched) {
     if (box.empty()) continue;
     const PixelBox softened = grown(box, blur_.reach_px(), soft_);
-    blur_.apply(sharp_, softened, soft_);
+    blur_.apply(motion_.still() ? sharp_ : moved_, softened, soft_);
     light(softened);
   }
   noise_.digitise(soft_, frame_index, pixels);
@@ -156,6 +164,13 @@ PixelBox Renderer::paint_marker(const SceneMarker& marker) {
   paint_disc(marker, marker.outer_radius_m, add(mark_minus_card));
   if (marker.kind == model::MarkerKind::ring) paint_disc(marker, marker.inner_radius_m, add(-mark_minus_card));
   return touched;
+}
+
+PixelBox Renderer::move(const PixelBox& box) {
+  if (motion_.still()) return box;
+  const PixelBox reached = grown(box, motion_.reach_px(), moved_);
+  motion_.apply(sharp_, reached, moved_);
+  return reached;
 }
 
 void Renderer::light(const PixelBox& box) {

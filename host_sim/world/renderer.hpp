@@ -1,6 +1,7 @@
 #pragma once
 /// @file  Camera frames of flat markers, exact under perspective, the same bytes on every machine.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "host_sim/world/gaussian_blur.hpp"
 #include "host_sim/world/gaussian_noise.hpp"
 #include "host_sim/world/grey_plane.hpp"
+#include "host_sim/world/motion_blur.hpp"
 
 namespace articam::sim {
 
@@ -31,6 +33,8 @@ struct RenderOptions {
   std::uint64_t seed = 1;     ///< of the clutter and of the noise
   bool clutter = true;        ///< false: an even grey wall
   double light_gradient = 1;  ///< brightest to darkest side, left to right; at least 1
+  /// How far the image moves while it is exposed, each component up to 50 px; markers are where they are half-way.
+  std::array<double, 2> motion_px{};
 };
 
 /// The still background is painted once; a frame costs the marker's edges, their blur and one pass of noise.
@@ -49,6 +53,7 @@ class Renderer {
   Vec<double, 3> corner_ray(int column, int row) const noexcept;
   PixelBox image_box(const SceneMarker& marker, double radius_m) const noexcept;
   PixelBox paint_marker(const SceneMarker& marker);
+  PixelBox move(const PixelBox& box);
   template <class Paint>
   void paint_disc(const SceneMarker& marker, double radius_m, const Paint& paint);
   void light(const PixelBox& box);
@@ -57,11 +62,13 @@ class Renderer {
   std::vector<Vec<double, 2>> corner_rays_;  ///< metric plane, of the pixels' corners: (width + 1) x (height + 1)
   double largest_step_{};                    ///< between neighbouring corners, metric plane
   std::vector<int> light_q14_;               ///< brightness of each column
+  MotionBlur motion_;
   GaussianBlur blur_;
   GaussianNoise noise_;
-  GreyPlane background_;       ///< sharp, evenly lit
-  GreyPlane soft_background_;  ///< blurred and lit
-  GreyPlane sharp_, soft_;     ///< the same with this frame's markers
+  GreyPlane background_;            ///< sharp, evenly lit
+  GreyPlane moved_background_;      ///< the same while it moves
+  GreyPlane soft_background_;       ///< blurred and lit
+  GreyPlane sharp_, moved_, soft_;  ///< the same three with this frame's markers
 };
 
 }  // namespace articam::sim

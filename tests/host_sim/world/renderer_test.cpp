@@ -111,6 +111,24 @@ TEST(Renderer, DrawsMarksThatAreCutByTheBorder) {
   }
 }
 
+TEST(Renderer, LeavesTheCentroidWhereAMarkIsHalfWayThroughItsMotion) {
+  RenderOptions options = kClean;
+  options.motion_px = {6, -3.5};
+  SceneMarker marker = paper_scene()[0];
+  marker.kind = model::MarkerKind::dot_dark_on_light;
+  marker.outer_radius_m *= 0.5;  // the card around keeps the background out of what the mark moves over
+  const CameraParameters camera = PaperScenario::camera();
+  const auto s = vision::imaged_centre<double>({marker.centre_cam_m, marker.normal_cam, marker.outer_radius_m});
+  ASSERT_TRUE(s.ok());
+  const Vec<double, 2> expected = vision::CameraModel<double>{camera}.project(s.value());
+  const auto still = render({marker}, kClean), moved = render({marker}, options);
+  EXPECT_NE(still, moved);
+  SceneMarker wide = marker;
+  wide.outer_radius_m *= 1.1;
+  EXPECT_LT((centroid(moved, wide, camera) - centroid(still, wide, camera)).norm(), 0.05);
+  EXPECT_LT((centroid(still, wide, camera) - expected).norm(), 0.05);
+}
+
 TEST(Renderer, DarkensTowardsTheRightByTheLightGradient) {
   RenderOptions options = kClean;
   options.light_gradient = 8;
