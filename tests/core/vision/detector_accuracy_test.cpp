@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/core/vision/marker_scene.hpp"
+#include "tests/core/vision/detector_score.hpp"
 
 // Rendered rings of 5 cm, f = 525 px, blur 0.7 px, noise 4 grey levels, cluttered; errors against the true image
 // ellipse.
@@ -24,31 +24,6 @@ struct Cell {
   double min_found;
 };
 
-struct Outcome {
-  int shown{}, found{}, surplus{};
-  double squared_px2{}, normalised{}, major{};
-};
-
-void judge(const std::vector<sim::SceneMarker>& markers, const Detections& found, Outcome& outcome) {
-  int matched = 0;
-  for (const sim::SceneMarker& marker : markers) {
-    const test::TrueEllipse truth = test::imaged(marker, marker.outer_radius_m);
-    ++outcome.shown;
-    for (const Detection& mark : found) {
-      const test::TrueEllipse seen = test::measured(mark.outer);
-      const double squared = std::pow(seen.u_px - truth.u_px, 2) + std::pow(seen.v_px - truth.v_px, 2);
-      if (squared > 1) continue;
-      ++matched;
-      outcome.squared_px2 += squared;
-      outcome.normalised += squared / 2 / (mark.centre_variance_q16 / 65536.0);
-      outcome.major += seen.major_px / truth.major_px - 1;
-      break;
-    }
-  }
-  outcome.found += matched;
-  outcome.surplus += static_cast<int>(found.size()) - matched;
-}
-
 class DetectorAccuracy : public testing::TestWithParam<Cell> {};
 
 TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
@@ -61,7 +36,7 @@ TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
   options.dots_dark_on_light = cell.kind == model::MarkerKind::dot_dark_on_light;
   const auto detector = std::make_unique<Detector>(options);
   std::vector<std::uint8_t> pixels;
-  Outcome outcome;
+  test::DetectorScore score;
   for (std::uint64_t i_frame = 0; i_frame < 20; ++i_frame) {
     const auto markers =
         test::grid_of_markers(cell.kind, 3, 2, cell.diameter_px, cell.tilt_deg * std::numbers::pi / 180, random);
@@ -69,18 +44,17 @@ TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
     Detections found;
     ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
     EXPECT_FALSE(detector->overloaded());
-    judge(markers, found, outcome);
+    score.add(markers, found);
   }
-  ASSERT_GT(outcome.found, 0);
-  EXPECT_GE(outcome.found, cell.min_found * outcome.shown);
+  ASSERT_GT(score.found, 0);
+  EXPECT_GE(score.share_found(), cell.min_found);
   if (cell.kind == model::MarkerKind::ring) {
-    EXPECT_EQ(outcome.surplus, 0);  // the clutter holds discs, and annuli of other ratios
+    EXPECT_EQ(score.surplus, 0);  // the clutter holds discs, and annuli of other ratios
   }
-  const double rms_px = std::sqrt(outcome.squared_px2 / outcome.found);
-  EXPECT_LT(rms_px, cell.max_rms_px);
-  EXPECT_LT(std::abs(outcome.major / outcome.found), cell.max_axis_error);
-  EXPECT_GT(outcome.normalised / outcome.found, 0.5);
-  EXPECT_LT(outcome.normalised / outcome.found, 2.0);
+  EXPECT_LT(score.rms_px(), cell.max_rms_px);
+  EXPECT_LT(std::abs(score.mean_major_error()), cell.max_axis_error);
+  EXPECT_GT(score.normalised_variance(), 0.5);
+  EXPECT_LT(score.normalised_variance(), 2.0);
 }
 
 // Bounds are what was measured (over 150 marks) and a third: a worse fit is seen, another random draw is not.
