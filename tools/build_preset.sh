@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Configures and builds one preset.
-#   [CXX=COMPILER] tools/build_preset.sh PRESET [--into FOLDER] [--tests ON|OFF] [--target NAME]...
+#   [CXX=COMPILER] tools/build_preset.sh PRESET [--into FOLDER] [--tests ON|OFF] [--firmware MODEL;MODEL...] [--target NAME]...
 # CXX counts for a new folder only: to change the compiler of a configured one, cmake would forget the preset.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,6 +14,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --into) folder=$2 ;;
     --tests) configure+=("-DARTICAM_TESTS=$2") ;;
+    --firmware) configure+=("-DARTICAM_FIRMWARE_MODELS=$2") ;;
     --target) targets+=(--target "$2") ;;
     *) echo "tools/build_preset.sh: what is '$1'?" >&2; exit 2 ;;
   esac

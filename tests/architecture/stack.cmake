@@ -37,7 +37,12 @@ endfunction()
 set(ceilings ${PROJECT_SOURCE_DIR}/tests/board/ceilings.txt)
 file(STRINGS ${ceilings} rows REGEX "^${ARTICAM_TARGET_NAME} ")
 if(rows AND CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
-  articam_add_ceiling_test(Stack.OfTheLoopIsBoundedAndUnderItsCeilingForEveryModel GROUP loop_stack_bytes
+  set(group loop_stack_bytes)
+  if(ARTICAM_FIRMWARE_MODELS)
+    list(JOIN ARTICAM_FIRMWARE_MODELS "|" models)
+    string(APPEND group "/(${models})/")
+  endif()
+  articam_add_ceiling_test(Stack.OfTheLoopIsBoundedAndUnderItsCeilingForEveryModel GROUP ${group}
     CEILINGS ${ceilings} COMMAND ${program} ${graphs})
 else()
   add_test(NAME Stack.OfTheLoopIsBounded COMMAND ${program} ${graphs})
