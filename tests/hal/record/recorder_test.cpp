@@ -103,6 +103,14 @@ class Recording : public testing::Test {
     std::ofstream{ticks_, std::ios::binary}.write(bytes.data(), static_cast<std::streamsize>(size));
   }
 
+  /// In place: a file that is emptied and written anew thousands of times waits for the disk.
+  void flip(std::size_t bit) const {
+    std::fstream stream{ticks_, std::ios::binary | std::ios::in | std::ios::out};
+    const auto place = static_cast<std::streamoff>(bit / 8);
+    const int byte = stream.seekg(place).get();
+    stream.seekp(place).put(static_cast<char>(byte ^ (1 << (bit % 8))));
+  }
+
   static constexpr hal::LoopTimes kTimes{.period = std::chrono::nanoseconds{33'333'333}};
   std::string why_;
   std::vector<std::vector<std::uint8_t>> images_{12};
@@ -189,17 +197,15 @@ TEST_F(Recording, EndsBeforeATickWithAFlippedBit) {
   ASSERT_EQ(recorder_.close(), Status::ok);
   const auto whole = hal::read_recording(ticks_, why_);
   ASSERT_TRUE(whole) << why_;
-  auto file = bytes();
   std::size_t begin = sizeof(hal::RecordingHeader);
   for (int i = 0; i < 5; ++i) begin += whole->ticks[static_cast<std::size_t>(i)].record.bytes;
   for (std::size_t bit = 0; bit < 8u * whole->ticks[5].record.bytes; ++bit) {
-    file[begin + bit / 8] = static_cast<char>(file[begin + bit / 8] ^ (1 << (bit % 8)));
-    write(file, file.size());
+    flip(8 * begin + bit);
     const auto damaged = hal::read_recording(ticks_, why_);
     ASSERT_TRUE(damaged);
     ASSERT_EQ(damaged->ticks.size(), 5u) << "bit " << bit;
     ASSERT_TRUE(damaged->torn);
-    file[begin + bit / 8] = static_cast<char>(file[begin + bit / 8] ^ (1 << (bit % 8)));
+    flip(8 * begin + bit);
   }
 }
 
@@ -244,13 +250,11 @@ TEST_F(Recording, IsRefusedWhenItIsOfAnotherVersionOrNone) {
 TEST_F(Recording, IsRefusedWithAFlippedBitInWhatAllItsTicksRestOn) {
   ASSERT_EQ(recorder_.open_ticks(ticks_, 1 << 20, header_), Status::ok);
   ASSERT_EQ(recorder_.close(), Status::ok);
-  auto file = bytes();
-  ASSERT_TRUE(hal::read_recording(ticks_, why_)) << why_;
   for (std::size_t bit = 0; bit < 8 * sizeof(hal::RecordingHeader); ++bit) {
-    file[bit / 8] = static_cast<char>(file[bit / 8] ^ (1 << (bit % 8)));
-    write(file, file.size());
+    ASSERT_TRUE(hal::read_recording(ticks_, why_)) << why_;
+    flip(bit);
     ASSERT_FALSE(hal::read_recording(ticks_, why_)) << "bit " << bit;
-    file[bit / 8] = static_cast<char>(file[bit / 8] ^ (1 << (bit % 8)));
+    flip(bit);
   }
 }
 
