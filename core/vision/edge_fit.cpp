@@ -1,7 +1,7 @@
 #include "core/vision/edge_fit.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
 #include "core/vision/edge_profile.hpp"
 #include "core/vision/ellipse_shape.hpp"

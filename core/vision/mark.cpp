@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::int32_t percent_q16(int percent) noexcept { return percent * kOne_q16 / 100; }
 
-// A share of the radius, and what noise and the pixel grid add to small marks.
-bool is_an_ellipse(const EdgeFit& fit) noexcept {
+// A share of the radius, and what noise and the pixel grid add to small marks, `times` as much.
+bool is_an_ellipse(const EdgeFit& fit, int times) noexcept {
   const std::int64_t radius_q16 = mean_radius_q16(fit.ellipse);
   const auto allowed_q16 = [radius_q16](int percent, int hundredths_px) {
     return percent_q16(percent) + (std::int64_t{percent_q16(hundredths_px)} << kQ16) / radius_q16;
   };
-  return fit.roughness_q16 < allowed_q16(4, 15) && fit.corners_q16 < allowed_q16(3, 8);
+  return fit.roughness_q16 < times * allowed_q16(4, 15) && fit.corners_q16 < times * allowed_q16(3, 8);
 }
 
 // The hole's size within 18 % of the ratio, and more where the edge is wider than 0.15 radii, as in small or blurred
@@ -48,12 +48,12 @@ void put(const EdgeFit& fit, MarkKind kind, Detection& out) noexcept {
 bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t ratio_q16, int& budget,
                   Detection& out) noexcept {
   EdgeFit outer, inner;
-  if (!fit_edge(image, Inside::darker, (kOne_q16 - ratio_q16) / 2, seed, budget, outer) || !is_an_ellipse(outer))
+  if (!fit_edge(image, Inside::darker, (kOne_q16 - ratio_q16) / 2, seed, budget, outer) || !is_an_ellipse(outer, 1))
     return false;
   const auto to_outer_q16 = static_cast<std::int32_t>((std::int64_t{kOne_q16} << kQ16) / ratio_q16) - kOne_q16;
   const std::int32_t reach_q16 = std::min(percent_q16(70), to_outer_q16 / 2);
   if (!fit_edge(image, Inside::lighter, reach_q16, scaled(outer.ellipse, ratio_q16), budget, inner)) return false;
-  if (!belong_together(outer, inner, ratio_q16)) return false;
+  if (!is_an_ellipse(inner, 2) || !belong_together(outer, inner, ratio_q16)) return false;
   put(outer, MarkKind::ring, out);
   out.inner = inner.ellipse;
   out.inner_centre_variance_q16 = inner.centre_variance_q16;
@@ -64,7 +64,7 @@ bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t rati
 bool measure_dot(const ImageView& image, const Ellipse& seed, bool light, int& budget, Detection& out) noexcept {
   EdgeFit fit;
   if (!fit_edge(image, light ? Inside::lighter : Inside::darker, percent_q16(32), seed, budget, fit)) return false;
-  if (!is_an_ellipse(fit)) return false;
+  if (!is_an_ellipse(fit, 1)) return false;
   put(fit, light ? MarkKind::dot_light_on_dark : MarkKind::dot_dark_on_light, out);
   return true;
 }

@@ -1,7 +1,7 @@
 #include "core/vision/ray_offsets.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
 namespace articam::vision {
 namespace {

@@ -18,7 +18,7 @@ struct Flip {
   int bit{-1};
 };
 /// The lowest bit of a pixel on the edge of a ring.
-inline constexpr Flip kEdgeFlip{50, 204, 212, 0};
+inline constexpr Flip kEdgeFlip{50, 241, 301, 0};
 
 /// A few hundred kilobytes, for static memory.
 class BitsRun {

@@ -63,21 +63,21 @@ constexpr auto kRing = model::MarkerKind::ring, kLight = model::MarkerKind::dot_
 // clang-format off
 INSTANTIATE_TEST_SUITE_P(Cells, DetectorAccuracy, testing::Values(
   //   kind  diameter tilt light   rms   axis  found
-  Cell{kRing,  72,     0,   1,   0.021, 0.002, 1.00},
-  Cell{kRing,  31,     0,   1,   0.020, 0.002, 1.00},
-  Cell{kRing,  20,     0,   1,   0.020, 0.003, 0.99},
-  Cell{kRing,  15,     0,   1,   0.026, 0.005, 0.99},
-  Cell{kRing,  12,     0,   1,   0.031, 0.012, 0.97},
-  Cell{kRing,  31,    40,   1,   0.020, 0.002, 1.00},
-  Cell{kRing,  15,    40,   1,   0.028, 0.006, 0.99},
-  Cell{kRing,  31,    60,   1,   0.025, 0.003, 0.99},
-  Cell{kRing,  20,    60,   1,   0.033, 0.005, 0.99},
-  Cell{kRing,  15,    60,   1,   0.044, 0.014, 0.97},
-  Cell{kRing,  31,    30,   8,   0.045, 0.003, 0.99},
-  Cell{kLight, 31,    40,   1,   0.021, 0.003, 0.99},
-  Cell{kLight, 12,     0,   1,   0.034, 0.013, 0.98},
-  Cell{kDark,  31,    40,   1,   0.022, 0.003, 0.99},
-  Cell{kDark,  12,     0,   1,   0.034, 0.013, 0.98}),
+  Cell{kRing,  72,     0,   1,   0.010, 0.002, 1.00},
+  Cell{kRing,  31,     0,   1,   0.012, 0.003, 1.00},
+  Cell{kRing,  20,     0,   1,   0.013, 0.003, 0.99},
+  Cell{kRing,  15,     0,   1,   0.016, 0.003, 0.99},
+  Cell{kRing,  12,     0,   1,   0.020, 0.006, 0.97},
+  Cell{kRing,  31,    40,   1,   0.014, 0.003, 1.00},
+  Cell{kRing,  15,    40,   1,   0.018, 0.003, 0.99},
+  Cell{kRing,  31,    60,   1,   0.017, 0.004, 0.99},
+  Cell{kRing,  20,    60,   1,   0.020, 0.004, 0.99},
+  Cell{kRing,  15,    60,   1,   0.023, 0.006, 0.99},
+  Cell{kRing,  31,    30,   8,   0.040, 0.003, 1.00},
+  Cell{kLight, 31,    40,   1,   0.014, 0.004, 0.99},
+  Cell{kLight, 12,     0,   1,   0.027, 0.008, 0.98},
+  Cell{kDark,  31,    40,   1,   0.014, 0.004, 0.99},
+  Cell{kDark,  12,     0,   1,   0.027, 0.008, 0.98}),
   [](const testing::TestParamInfo<Cell>& cell) { return "Cell" + std::to_string(cell.index); });
 // clang-format on
 

@@ -20,7 +20,7 @@ std::string field(int number, int type, const std::string& rest) {
 std::string in_packet(int content, const std::string& body) {
   return field(content, 2, std::string(1, static_cast<char>(body.size())) + body);
 }
-const std::string kSchemaField = field(1, 0, "\x01");
+const std::string kSchemaField = field(1, 0, std::string(1, char{wire::kSchema}));
 
 Fault verdict(const std::string& payload, wire::Message& out) {
   // Exactly as large as it is: the address sanitizer sees a read beyond its end.
@@ -71,7 +71,8 @@ TEST(MessageReader, SkipsFieldsThatItDoesNotKnow) {
 }
 
 TEST(MessageReader, RefusesAnotherSchemaBeforeItsFieldsMislead) {
-  EXPECT_EQ(verdict(in_packet(1, field(1, 0, "\x02") + field(2, 0, "\x01"))), Fault::unknown_schema);
+  EXPECT_EQ(verdict(in_packet(1, field(1, 0, std::string(1, char{wire::kSchema + 1})) + field(2, 0, "\x01"))),
+            Fault::unknown_schema);
   EXPECT_EQ(verdict(in_packet(1, "")), Fault::unknown_schema);
 }
 
@@ -86,7 +87,7 @@ TEST(MessageReader, RefusesWhatIsNoMessage) {
   EXPECT_EQ(body(field(4, 0, "\xff\xff\xff\xff\xff\x01")), Fault::malformed) << "more than 32 bits";
   EXPECT_EQ(body(field(4, 0, std::string(10, '\xff'))), Fault::malformed) << "a varint without end";
   EXPECT_EQ(body(field(8, 0, "\x06")), Fault::malformed) << "a status without name";
-  EXPECT_EQ(body(field(9, 0, "\x0e")), Fault::malformed) << "a reason without name";
+  EXPECT_EQ(body(field(9, 0, "\x0f")), Fault::malformed) << "a reason without name";
   EXPECT_EQ(body(field(15, 2, "\x01\x03")), Fault::malformed) << "an observability without name";
   EXPECT_EQ(body(field(12, 2,
                        "\x07"
@@ -113,12 +114,12 @@ TEST(MessageReader, TakesNamesOfUtf8Only) {
 
 TEST(MessageReader, RefusesMoreNumbersThanThereIsRoomFor) {
   wire::Packet packet;
-  packet.mutable_estimate()->set_schema(1);
+  packet.mutable_estimate()->set_schema(wire::kSchema);
   for (std::size_t i = 0; i < wire::kMaxJoints; ++i) packet.mutable_estimate()->add_joints(1);
   EXPECT_EQ(verdict(packet.SerializeAsString()), Fault::none);
   packet.mutable_estimate()->add_joints(1);
   EXPECT_EQ(verdict(packet.SerializeAsString()), Fault::malformed);
-  packet.mutable_model()->set_schema(1);
+  packet.mutable_model()->set_schema(wire::kSchema);
   packet.mutable_model()->set_name(std::string(wire::kMaxName, 'a'));
   EXPECT_EQ(verdict(packet.SerializeAsString()), Fault::none);
   packet.mutable_model()->set_name(std::string(wire::kMaxName + 1, 'a'));

@@ -54,7 +54,7 @@ TEST(Decoder, RefusesWhatProtobufAloneWouldTolerate) {
   const std::string good = packet.SerializeAsString();
   EXPECT_EQ(decoder.decode_payload(test::bytes_of(good), out), Fault::none);
   EXPECT_EQ(decoder.decode_payload(test::bytes_of(good + good), out), Fault::malformed) << "it would merge the two";
-  const std::string large = std::string("\x0a\x08\x08\x01\x20") + "\xff\xff\xff\xff\x7f";
+  const std::string large = std::string("\x0a\x08\x08") + char{wire::kSchema} + "\x20" + "\xff\xff\xff\xff\x7f";
   ASSERT_TRUE(packet.ParseFromString(large)) << "it cuts a number of 35 bits";
   EXPECT_EQ(decoder.decode_payload(test::bytes_of(large), out), Fault::malformed);
 }
@@ -75,7 +75,7 @@ TEST(Decoder, TellsWhyAPacketIsRefused) {
   EXPECT_EQ(decoder.decode(test::sealed(std::string(1, '\x12') + '\0'), out), Fault::unknown_schema);  // empty Model
   estimate.joints.clear();
   EXPECT_EQ(decoder.decode(test::packet_of(estimate), out), Fault::inconsistent);
-  estimate.schema = 2;
+  estimate.schema = wire::kSchema + 1;
   EXPECT_EQ(decoder.decode(test::packet_of(estimate), out), Fault::unknown_schema);
 }
 
