@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Configures and builds one preset.
-#   [CXX=COMPILER] tools/build_preset.sh PRESET [--into FOLDER] [--tests ON|OFF] [--firmware MODEL;MODEL...]
+#   [CXX=COMPILER] tools/build_preset.sh PRESET [--into FOLDER] [--tests ON|OFF] [--firmware MODEL[;MODEL]...]
 #     [--target NAME]...
 # CXX counts for a new folder only: to change the compiler of a configured one, cmake would forget the preset.
 set -euo pipefail
