@@ -13,12 +13,12 @@
 
 #include "core/config.hpp"
 #include "hal/app/start.hpp"
+#include "hal/app/tracker_overlay.hpp"
 #include "hal/firmware.hpp"
 #include "hal/link/file_link.hpp"
 #include "hal/link/tee_link.hpp"
 #include "hal/memory/manual_clock.hpp"
 #include "hal/posix/monotonic_clock.hpp"
-#include "hal/replay/overlay.hpp"
 #include "hal/replay/pgm_camera.hpp"
 #include "hal/run_loop.hpp"
 #include "hal/timed_tracker.hpp"
@@ -52,23 +52,6 @@ class Summary {
 };
 
 void show_progress(std::size_t done, std::size_t all);
-
-/// The tracker's view of a frame, for the picture.
-template <class Model, class S>
-hal::Overlay overlay_of(const tracker::Tracker<Model, S>& tracker, const tracker::Estimate<Model, S>& estimate) {
-  hal::Overlay overlay;
-  overlay.seen.assign(tracker.detections().begin(), tracker.detections().end());
-  const auto features = tracker::predict_features<Model, S>(estimate.q, tracker.camera());
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (!features[i].visible) continue;
-    overlay.predicted.push_back({std::string(Model::kMarkers[i].name), static_cast<double>(features[i].pixel.x()),
-                                 static_cast<double>(features[i].pixel.y()), static_cast<double>(features[i].radius_px),
-                                 tracker.matches()[i].matched});
-  }
-  overlay.caption = fmt::format("frame {}   {} {}   matched {}   rms {:.2f} px", estimate.frame, name(estimate.status),
-                                name(estimate.reason), estimate.matched, static_cast<double>(estimate.rms_px));
-  return overlay;
-}
 
 /// Slow recordings are integrated as well: a few of their frames may be missing.
 inline tracker::Options tracker_options(const ReplayOptions& options) {

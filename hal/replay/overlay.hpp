@@ -13,17 +13,26 @@ namespace articam::hal {
 
 /// What to draw over a frame. Pixel centres are integers.
 struct Overlay {
-  struct Predicted {
-    std::string name;
-    double u_px{}, v_px{}, radius_px{};
-    bool matched{};
+  struct Seen {
+    vision::Detection mark;  ///< both edges, sub-pixel: rings yellow, light dots blue, dark dots magenta
+    std::string note;        ///< beside it, after the names of its flaws
   };
-  std::vector<vision::Detection> seen;  ///< outlined in yellow
-  std::vector<Predicted> predicted;     ///< a cross: green when matched, red when not
-  std::string caption;
+  struct Predicted {
+    std::string name;         ///< beside it
+    vision::Ellipse outline;  ///< dashed
+    bool matched{};           ///< green; red where not
+    std::string why_not;      ///< follows the name
+  };
+  std::vector<Seen> seen{};
+  std::vector<Predicted> predicted{};
+  std::string caption{};
 };
 
-/// Writes a PNG, twice the frame's size. Errors  io_error; `why` says what is wrong.
+/// "blurred saturated occluded", as far as they are set.
+std::string names_of_flaws(unsigned flaws);
+
+/// Writes a PNG, whole or not at all; the frame is enlarged so that a pixel can be told from the next.
+/// Errors  bad_argument, io_error; `why` says what is wrong.
 Status write_overlay(const std::filesystem::path& path, const ImageView& image, const Overlay& overlay,
                      std::string& why);
 

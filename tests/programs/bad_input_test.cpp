@@ -135,6 +135,7 @@ TEST_F(Programs, DetectRefusesWhatIsNoFrame) {
   expect("articam-detect short.pgm", 1, {"short.pgm"});
   expect("articam-detect --type square frames/a.pgm", 2, {"--type"});
   expect("articam-detect --ring-ratio 1.5 frames/a.pgm", 2, {"--ring-ratio"});
+  expect("articam-detect --overlay short.pgm frames/a.pgm", 1, {"short.pgm"});
   expect("articam-detect frames/a.pgm", 0, {"file,type,x_px,y_px,major_px,minor_px,angle_rad"});
 }
 
