@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,11 +15,13 @@
 #include "core/vision/imaged_ellipse.hpp"
 #include "core/vision/lens_ellipse.hpp"
 #include "tests/core/vision/marker_scene.hpp"
+#include "tests/bench/ring_scene.hpp"
 
 namespace articam {
 namespace {
 
 using Pixels = std::vector<std::uint8_t>;
+using bench::rings;
 
 void frame_pass(benchmark::State& state) {
   Pixels in(640 * 480), out(640 * 480);
@@ -34,15 +35,6 @@ void frame_pass(benchmark::State& state) {
     for (std::size_t i = 0; i < 640 * 480; ++i) d[i] = s[i] > threshold ? 255 : 0;
     benchmark::ClobberMemory();
   }
-}
-
-// Rings of 37 px across when untilted, in a grid of 5x4, or of 3x2 up to six.
-std::vector<sim::SceneMarker> rings(int count) {
-  std::mt19937 random(4);
-  const int columns = count > 6 ? 5 : 3, rows = count > 6 ? 4 : 2;
-  auto markers = test::grid_of_markers(model::MarkerKind::ring, columns, rows, 37, std::numbers::pi / 6, random);
-  markers.resize(static_cast<std::size_t>(count));
-  return markers;
 }
 
 Pixels cluttered(int count) {
