@@ -8,7 +8,7 @@ namespace articam {
 /// The scalar of the programs' estimators. The tracker is instantiated for float and double alike.
 using DefaultScalar = double;
 
-/// The largest frame. The detector's buffers are made for it: 250 kB at 1280 x 960, 62 kB at 640 x 480. A build for a
+/// The largest frame. The detector's buffers are made for it: 79 kB at 1280 x 960, 20 kB at 640 x 480. A build for a
 /// small board chooses less, by the CMake variables ARTICAM_MAX_IMAGE_WIDTH and ARTICAM_MAX_IMAGE_HEIGHT.
 #if defined(ARTICAM_MAX_IMAGE_WIDTH) && defined(ARTICAM_MAX_IMAGE_HEIGHT)
 inline constexpr int kMaxImageWidth_px = ARTICAM_MAX_IMAGE_WIDTH;
