@@ -16,14 +16,18 @@ using Quat = Eigen::Quaternion<Scalar>;
 
 namespace math {
 
-/// True when every coefficient is a finite number. Needs no libm: x - x is 0 only then.
-template <class Derived>
-bool all_finite(const Eigen::MatrixBase<Derived>& m) noexcept {
-  return ((m - m).array() == typename Derived::Scalar(0)).all();
-}
+/// Needs no libm: x - x is 0 only of a finite number.
 template <class Scalar>
 constexpr bool is_finite(Scalar x) noexcept {
   return x - x == Scalar(0);
+}
+/// True when every coefficient is a finite number.
+template <class Scalar, int Rows, int Cols>
+bool all_finite(const Mat<Scalar, Rows, Cols>& m) noexcept {
+  for (int i = 0; i < m.size(); ++i) {
+    if (!is_finite(m.data()[i])) return false;
+  }
+  return true;
 }
 
 }  // namespace math

@@ -1,7 +1,6 @@
 #pragma once
 /// @file  A flat circular mark under perspective: the centre of its image, and how that moves.
 
-#include "core/math/so3.hpp"
 #include "core/math/types.hpp"
 #include "core/status.hpp"
 #include "core/vision/interaction_matrix.hpp"
@@ -34,29 +33,9 @@ Result<Vec<S, 2>> imaged_centre(const Circle<S>& circle) noexcept {
 }
 
 /// Interaction matrix of the imaged centre:  sdot = L v, v the twist of the camera relative to the object.
-/// With r = 0 it is interaction_matrix(s, c_z). Shapes, frames, units and errors as there.
+/// Compiled for float and double. With r = 0 it is interaction_matrix(s, c_z). Shapes, frames, units and errors as
+/// there.
 template <class S>
-Result<Mat<S, 2, 6>> imaged_centre_interaction_matrix(const Circle<S>& circle) noexcept {
-  const auto s = imaged_centre(circle);
-  if (!s.ok()) return s.status();
-  const auto& [c, n, r] = circle;
-  const S r2 = r * r;
-  const S m_z = c.z() * c.z() + r2 * (n.z() * n.z() - S(1));
-
-  Mat<S, 3, 3> dM_dc = c.z() * Mat<S, 3, 3>::Identity();  // c_z I + c e3^T
-  dM_dc.col(2) += c;
-  Mat<S, 3, 3> dM_dn = r2 * n.z() * Mat<S, 3, 3>::Identity();  // r^2 (n_z I + n e3^T)
-  dM_dn.col(2) += r2 * n;
-
-  Mat<S, 2, 3> ds_dM;
-  ds_dM << S(1), S(0), -s.value().x(), S(0), S(1), -s.value().y();
-  ds_dM /= m_z;
-
-  // The camera's twist (v, w) moves c by -v - w x c and turns n by -w x n.
-  Mat<S, 2, 6> L;
-  L.template leftCols<3>() = -ds_dM * dM_dc;
-  L.template rightCols<3>() = ds_dM * (dM_dc * math::hat<S>(c) + dM_dn * math::hat<S>(n));
-  return L;
-}
+Result<Mat<S, 2, 6>> imaged_centre_interaction_matrix(const Circle<S>& circle) noexcept;
 
 }  // namespace articam::vision

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/vision/lens_ellipse.hpp"
 #include "tests/core/vision/circle_scene.hpp"
 
 namespace articam {
