@@ -82,11 +82,12 @@ bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcep
     for (std::size_t j = 0; j < kSamples; ++j) sum[j] += grey[j];
   }
   std::array<std::int64_t, kSamples> slope{};  // over two samples, summed over the rays
-  std::int64_t steepest = 0;
+  std::size_t i_steepest = 1;
   for (std::size_t j = 1; j + 1 < kSamples; ++j) {
     slope[j] = sum[j + 1] - sum[j - 1];
-    steepest = std::max(steepest, sign * slope[j]);
+    if (sign * slope[j] > sign * slope[i_steepest]) i_steepest = j;
   }
+  const std::int64_t steepest = sign * slope[i_steepest];
   const auto [low, high] = std::minmax_element(sum.begin(), sum.end());
   const std::int64_t range = *high - *low;
   out.contrast_q4 = static_cast<std::int32_t>(range / samples.rays);
@@ -106,12 +107,15 @@ bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcep
   out.position_q16 = first * (kOne_q16 / 2) / weight;
 
   // A Gaussian edge of contrast C has the steepest slope C / (sigma sqrt(2 pi)); a difference over two samples widens
-  // it by a box of that length. C^2 / (2 pi (slope / 2)^2) = 0.6366 (C / slope)^2.
+  // it by a box of that length, and d away from the edge it is less, which adds d^2. C^2 / (2 pi (slope / 2)^2) =
+  // 0.6366 (C / slope)^2.
   constexpr std::int64_t kTwoOverPi_q16 = 41722, kOfDifference_q16 = kOne_q16 / 3;
   if (6 * steepest < range) return false;  // flatter than a ramp over all samples; bounds the variance
   const std::int64_t ratio_q16 = range * kOne_q16 / steepest;
-  out.variance_q16 =
-      std::max<std::int64_t>(0, (square(ratio_q16) >> kQ16) * kTwoOverPi_q16 / kOne_q16 - kOfDifference_q16);
+  const std::int64_t off_q16 =
+      out.position_q16 - (2 * static_cast<std::int64_t>(i_steepest) - kMiddle_q1) * kOne_q16 / 2;
+  out.variance_q16 = std::max<std::int64_t>(
+      0, (square(ratio_q16) >> kQ16) * kTwoOverPi_q16 / kOne_q16 - kOfDifference_q16 - (square(off_q16) >> kQ16));
 
   for (std::size_t j = 0; j < kSamples; ++j) {
     out.mean_q4[j] = static_cast<std::int16_t>(sum[j] / samples.rays);
