@@ -1,6 +1,6 @@
 #include "core/vision/mark.hpp"
 
-#include <algorithm>
+#include <cstdlib>
 
 #include "core/vision/edge_fit.hpp"
 #include "core/vision/ellipse_shape.hpp"
@@ -20,15 +20,14 @@ bool is_an_ellipse(const EdgeFit& fit, int times) noexcept {
   return fit.roughness_q16 < times * allowed_q16(4, 15) && fit.corners_q16 < times * allowed_q16(3, 8);
 }
 
-// The hole's size within 18 % of the ratio, and more where the edge is wider than 0.15 radii, as in small or blurred
-// marks; its centre near the ring's (perspective parts them by less), and about the same light inside as around.
+// The hole's size is the ratio's within half of what parts it from the nearest ratio that is none, a fifth; a blurred
+// mark's is known less, its bias is up to 18 %. The hole's centre is near the ring's (perspective parts them by less),
+// and it is about as light inside as around.
 bool belong_together(const EdgeFit& outer, const EdgeFit& inner, std::int32_t ratio_q16) noexcept {
   const std::int64_t radius_q16 = mean_radius_q16(outer.ellipse), hole_q16 = mean_radius_q16(inner.ellipse);
   const std::int64_t expected_q16 = radius_q16 * ratio_q16 >> kQ16;
-  const std::int64_t width_q16 = (std::int64_t{outer.blur_q8} << 24) / radius_q16;
-  const std::int64_t allowed_q16 = percent_q16(18) + 3 * std::max<std::int64_t>(0, width_q16 - percent_q16(15));
-  const std::int64_t off_q16 = hole_q16 > expected_q16 ? hole_q16 - expected_q16 : expected_q16 - hole_q16;
-  if (off_q16 > expected_q16 * std::min<std::int64_t>(allowed_q16, percent_q16(35)) >> kQ16) return false;
+  const std::int64_t allowed_q16 = percent_q16((outer.flaws & kBlurred) != 0 ? 18 : 11);
+  if (std::abs(hole_q16 - expected_q16) > expected_q16 * allowed_q16 >> kQ16) return false;
   const std::int64_t du = inner.ellipse.u_q16 - outer.ellipse.u_q16, dv = inner.ellipse.v_q16 - outer.ellipse.v_q16;
   if (36 * (du * du + dv * dv) > radius_q16 * radius_q16) return false;
   return outer.contrast_q4 < 3 * inner.contrast_q4 && inner.contrast_q4 < 2 * outer.contrast_q4;

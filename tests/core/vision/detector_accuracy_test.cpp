@@ -107,6 +107,27 @@ TEST(DetectorAccuracy, KnowsTheMajorAxisToThreeThousandthsUnderBlurUpToAPixelAnd
   }
 }
 
+// Small holes are blurred most: annuli just outside 0.32 to 0.50, of 12 to 22 px, are told apart from rings of 0.41.
+TEST(DetectorAccuracy, TakesNoSmallAnnulusOfAnotherRatioForARing) {
+  std::mt19937 random(3);
+  const auto between = [&random](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / 4294967296.0;
+  };
+  const auto detector = std::make_unique<Detector>();
+  std::vector<std::uint8_t> pixels;
+  for (std::uint64_t i_frame = 0; i_frame < 40; ++i_frame) {
+    sim::Renderer renderer(test::kVga, {.seed = i_frame + 1});
+    auto markers = test::grid_of_markers(kRing, 4, 3, between(12, 22), between(0, 1.1), random);
+    for (sim::SceneMarker& marker : markers) {
+      marker.inner_radius_m = marker.outer_radius_m * (random() % 2 == 0 ? between(0.26, 0.32) : between(0.50, 0.56));
+    }
+    renderer.render(markers, 0, pixels);
+    Detections found;
+    ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
+    EXPECT_EQ(found.size(), 0u) << "frame " << i_frame;
+  }
+}
+
 TEST(DetectorAccuracy, HoldsForADotOfHalfTheFrameAndOneOfSevenPixels) {
   std::mt19937 random(2);
   sim::Renderer renderer(test::kVga, {.clutter = false});
