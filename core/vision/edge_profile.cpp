@@ -8,25 +8,59 @@ namespace {
 constexpr int kMiddle_q1 = kSamples - 1;  // twice the index of the radius 1
 constexpr std::int32_t kMinContrast_q4 = 12 * 16;
 
-// Bilinear, Q4, between the pixels at p and their right and lower neighbours; fractions Q8.
-inline std::int16_t blend_q4(const std::uint8_t* above, const std::uint8_t* below, int right, int fu, int fv) noexcept {
-  const int top = above[0] * 256 + (above[right] - above[0]) * fu;
-  const int bottom = below[0] * 256 + (below[right] - below[0]) * fu;
-  return static_cast<std::int16_t>((top * 256 + (bottom - top) * fv + (1 << 11)) >> 12);
+// Rays are read so many at a time, in loops each of which does one thing, so that compilers make vectors of all but the
+// loads.
+constexpr int kRaysAtOnce = 8;
+constexpr std::size_t kAtOnce = kRaysAtOnce * kSamples;
+using Places = std::array<std::int32_t, kAtOnce>;
+
+// What samples lie between: two pixels and the two below them, each pair's left one in the lower byte, and how far
+// right and down of the first, Q8.
+struct Corners {
+  std::array<std::uint16_t, kAtOnce> above, below;
+  std::array<std::int16_t, kAtOnce> right_q8, down_q8;
+
+  void put(std::size_t i, const std::uint8_t* first, int right, std::ptrdiff_t down) noexcept {
+    const std::uint8_t* second = first + down;
+    above[i] = static_cast<std::uint16_t>(first[0] | first[right] << 8);
+    below[i] = static_cast<std::uint16_t>(second[0] | second[right] << 8);
+  }
+};
+
+// Bilinear, Q4. Q7 in between, so that differences fit 16 bits, and the upper halves of their products too.
+void blend_q4(const Corners& corners, std::int16_t* __restrict out) noexcept {
+  static_assert(255 << 7 < 1 << 15, "grey levels, Q7, and fractions, Q15, are signed words");
+  const auto along_q7 = [](int pair, int f) {
+    const int left = pair & 255, right = pair >> 8;
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(left * 256 + (right - left) * f) >> 1);
+  };
+  for (std::size_t i = 0; i < kAtOnce; ++i) {
+    const std::int16_t top_q7 = along_q7(corners.above[i], corners.right_q8[i]);
+    const auto more_q7 = static_cast<std::int16_t>(along_q7(corners.below[i], corners.right_q8[i]) - top_q7);
+    const auto down_q15 = static_cast<std::int16_t>(corners.down_q8[i] * 128);
+    const auto part_q6 = static_cast<std::int16_t>(more_q7 * down_q15 >> 16);
+    const auto half_q6 = static_cast<std::int16_t>((top_q7 >> 1) + part_q6 + 2);
+    out[i] = static_cast<std::int16_t>(half_q6 >> 2);
+  }
 }
 
-std::int16_t sample_inside_q4(const ImageView& image, std::int32_t u_q16, std::int32_t v_q16) noexcept {
-  const std::uint8_t* above = image.row(v_q16 >> 16) + (u_q16 >> 16);
-  return blend_q4(above, above + image.stride_bytes, 1, u_q16 >> 8 & 255, v_q16 >> 8 & 255);
+// Of rays that lie wholly inside the image.
+void find_inside(const ImageView& image, const Places& u_q16, const Places& v_q16, Corners& out) noexcept {
+  for (std::size_t i = 0; i < kAtOnce; ++i)
+    out.put(i, image.row(v_q16[i] >> 16) + (u_q16[i] >> 16), 1, image.stride_bytes);
+  for (std::size_t i = 0; i < kAtOnce; ++i) out.right_q8[i] = static_cast<std::int16_t>(u_q16[i] >> 8 & 255);
+  for (std::size_t i = 0; i < kAtOnce; ++i) out.down_q8[i] = static_cast<std::int16_t>(v_q16[i] >> 8 & 255);
 }
 
-// Beyond the image its border goes on.
-std::int16_t sample_anywhere_q4(const ImageView& image, std::int32_t u_q16, std::int32_t v_q16) noexcept {
-  const int u_q8 = std::clamp<int>(u_q16 >> 8, 0, (image.width_px - 1) << 8);
-  const int v_q8 = std::clamp<int>(v_q16 >> 8, 0, (image.height_px - 1) << 8);
-  const int fu = u_q8 & 255, fv = v_q8 & 255;
-  const std::uint8_t* above = image.row(v_q8 >> 8) + (u_q8 >> 8);
-  return blend_q4(above, above + (fv != 0 ? image.stride_bytes : 0), fu != 0, fu, fv);
+// Of any others: beyond the image its border goes on.
+void find_anywhere(const ImageView& image, const Places& u_q16, const Places& v_q16, Corners& out) noexcept {
+  for (std::size_t i = 0; i < kAtOnce; ++i) {
+    const int u_q8 = std::clamp<int>(u_q16[i] >> 8, 0, (image.width_px - 1) << 8);
+    const int v_q8 = std::clamp<int>(v_q16[i] >> 8, 0, (image.height_px - 1) << 8);
+    out.right_q8[i] = static_cast<std::int16_t>(u_q8 & 255);
+    out.down_q8[i] = static_cast<std::int16_t>(v_q8 & 255);
+    out.put(i, image.row(v_q8 >> 8) + (u_q8 >> 8), out.right_q8[i] != 0, out.down_q8[i] != 0 ? image.stride_bytes : 0);
+  }
 }
 
 // The ellipse, its window and one pixel more lie inside the image.
@@ -40,22 +74,25 @@ bool reads_inside(const ImageView& image, const Ellipse& e, std::int32_t half_wi
          e.v_q16 + dv < std::int64_t{image.height_px - 1} << kQ16;
 }
 
-template <std::int16_t (*sample_q4)(const ImageView&, std::int32_t, std::int32_t) noexcept>
+template <void (*find)(const ImageView&, const Places&, const Places&, Corners&) noexcept>
 void read(const ImageView& image, const Ellipse& e, std::int32_t half_window_q16, RaySamples& out) noexcept {
   const std::int64_t step_q16 = 2 * half_window_q16 / (kSamples - 1);
   const std::int64_t first_q16 = kOne_q16 - half_window_q16;
   const Wave& wave = wave_of(out.rays, 1);
-  for (int k = 0; k < out.rays; ++k) {
-    const std::int64_t c = wave.cos_q14[static_cast<std::size_t>(k)], s = wave.sin_q14[static_cast<std::size_t>(k)];
-    const std::int64_t du_q16 = e.m00_q16 * c >> kQ14, dv_q16 = (e.m10_q16 * c + e.m11_q16 * s) >> kQ14;
-    std::int32_t u_q16 = e.u_q16 + static_cast<std::int32_t>(du_q16 * first_q16 >> kQ16);
-    std::int32_t v_q16 = e.v_q16 + static_cast<std::int32_t>(dv_q16 * first_q16 >> kQ16);
-    const auto step_u = static_cast<std::int32_t>(du_q16 * step_q16 >> kQ16),
-               step_v = static_cast<std::int32_t>(dv_q16 * step_q16 >> kQ16);
-    for (std::int16_t& grey_q4 : out.grey_q4[static_cast<std::size_t>(k)]) {
-      grey_q4 = sample_q4(image, u_q16, v_q16);
-      u_q16 += step_u, v_q16 += step_v;
+  for (std::size_t first = 0; first < static_cast<std::size_t>(out.rays); first += kRaysAtOnce) {
+    Places u_q16, v_q16;
+    for (std::size_t i = 0, k = first; i < kAtOnce; ++k) {
+      const std::int64_t c = wave.cos_q14[k], s = wave.sin_q14[k];
+      const std::int64_t du_q16 = e.m00_q16 * c >> kQ14, dv_q16 = (e.m10_q16 * c + e.m11_q16 * s) >> kQ14;
+      const auto first_u = e.u_q16 + static_cast<std::int32_t>(du_q16 * first_q16 >> kQ16),
+                 first_v = e.v_q16 + static_cast<std::int32_t>(dv_q16 * first_q16 >> kQ16),
+                 step_u = static_cast<std::int32_t>(du_q16 * step_q16 >> kQ16),
+                 step_v = static_cast<std::int32_t>(dv_q16 * step_q16 >> kQ16);
+      for (int j = 0; j < kSamples; ++j, ++i) u_q16[i] = first_u + j * step_u, v_q16[i] = first_v + j * step_v;
     }
+    Corners corners;
+    find(image, u_q16, v_q16, corners);
+    blend_q4(corners, out.grey_q4[first].data());
   }
 }
 
@@ -69,9 +106,9 @@ void read_rays(const ImageView& image, const Ellipse& e, std::int32_t half_windo
                RaySamples& out) noexcept {
   out.rays = rays;
   if (reads_inside(image, e, half_window_q16))
-    read<sample_inside_q4>(image, e, half_window_q16, out);
+    read<find_inside>(image, e, half_window_q16, out);
   else
-    read<sample_anywhere_q4>(image, e, half_window_q16, out);
+    read<find_anywhere>(image, e, half_window_q16, out);
 }
 
 bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcept {
