@@ -93,12 +93,11 @@ Status Detector::measure(const ImageView& image, std::span<const Expected> expec
   out.clear();
   for (const Expected& mark : expected) {
     if (!seeks(mark.kind) || !may_be_in(image, mark.outer)) continue;
-    limits_.budget = 0;  // what a measurement may cost is bounded by itself
+    int unlimited = 0;  // a fit is bounded by itself, and there are only so many
     Detection found;
-    const bool there =
-        mark.kind == MarkKind::ring
-            ? measure_ring(image, mark.outer, options_.ring_ratio_q16, limits_.budget, found)
-            : measure_dot(image, mark.outer, mark.kind == MarkKind::dot_light_on_dark, limits_.budget, found);
+    const bool there = mark.kind == MarkKind::ring
+                           ? measure_ring(image, mark.outer, options_.ring_ratio_q16, unlimited, found)
+                           : measure_dot(image, mark.outer, mark.kind == MarkKind::dot_light_on_dark, unlimited, found);
     if (there) keep(found, out);
   }
   sort_by_rows(out);
@@ -186,6 +185,7 @@ bool Detector::is_known(const Detection& mark, const Detections& found) const no
   });
 }
 
+// The fit may have moved a new seed onto a mark that is known.
 void Detector::keep(const Detection& mark, Detections& found) noexcept {
   if (is_known(mark, found)) return;
   const auto in_ring = [&mark](const Detection& other) {

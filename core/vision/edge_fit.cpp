@@ -13,9 +13,9 @@ namespace {
 
 // A mark's neighbours reach into the rays' ends, the more the smaller it is and the wider its edge: 0.02 a radius for
 // an edge of a pixel's width and a round mark, more for flat ones and for those below 12 px.
-std::int64_t gain_doubt_q16(const Ellipse& e, std::int64_t width_px_q16) noexcept {
+std::int64_t gain_doubt_q16(const Ellipse& e, std::int64_t radius_q16, std::int64_t width_px_q16) noexcept {
   constexpr std::int64_t kSmall_q16 = 12 * kOne_q16;
-  const std::int64_t minor = minor_q16(e), doubt_q16 = width_px_q16 / 50 * mean_radius_q16(e) / minor;
+  const std::int64_t minor = minor_q16(e), doubt_q16 = width_px_q16 / 50 * radius_q16 / minor;
   return minor < kSmall_q16 ? doubt_q16 * kSmall_q16 / minor : doubt_q16;
 }
 
@@ -34,6 +34,7 @@ std::int64_t whole_width_q16(std::int64_t seen_q16, std::int64_t half_window_q16
 struct Pass {
   int rays;
   std::int32_t half_window_q16;
+  std::int64_t radius_q16;  // mean radius of the ellipse to be improved, px
   int sign;
   bool judged;
 };
@@ -50,7 +51,8 @@ bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge)
   EdgeProfile profile;
   read_rays(image, fit.ellipse, pass.half_window_q16, pass.rays, samples);
   if (!find_profile(samples, pass.sign, profile)) return false;
-  const int weak = count_weak(samples, pass.sign, profile);
+  PerRay crosses;
+  const int weak = find_crossings(samples, pass.sign, profile, crosses);
   if (8 * weak > pass.rays) return false;  // the edge goes all round, but for an eighth
   fit.contrast_q4 = profile.contrast_q4;
   fit.flaws = static_cast<std::uint8_t>((profile.saturated ? kSaturated : 0) | (weak > 0 ? kOccluded : 0));
@@ -59,9 +61,9 @@ bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge)
   const auto radii = [step_q16](std::int64_t in_samples) { return in_samples * step_q16 >> kQ16; };
   constexpr std::int64_t kOfPixel_q16 = kOne_q16 / 12;
   const std::int64_t width_px_q16 =
-      radii(integer_sqrt((profile.variance_q16 + kOfPixel_q16) << kQ16)) * mean_radius_q16(fit.ellipse) >> kQ16;
+      radii(integer_sqrt((profile.variance_q16 + kOfPixel_q16) << kQ16)) * pass.radius_q16 >> kQ16;
   RayOffsets offsets;
-  find_offsets(samples, pass.sign, profile, gain_doubt_q16(fit.ellipse, width_px_q16), offsets);
+  find_offsets(samples, profile, crosses, gain_doubt_q16(fit.ellipse, pass.radius_q16, width_px_q16), offsets);
 
   const Harmonic centre = offsets.harmonic_q16(1), shape = offsets.harmonic_q16(2);
   if (pass.judged) {
@@ -84,28 +86,27 @@ std::uint32_t to_variance_q16(std::int64_t variance_q16) noexcept {
 
 // centre = M c, and each of c's variances is 2 / rays of the scatter; the mean of those of u and v. A semi-axis is
 // M (1 + s + p): three halves of it, and a share of what undo_blur() added, which the window's narrowness limits.
-void put_variances(const Edge& edge, int rays, EdgeFit& fit) noexcept {
+void put_variances(const Edge& edge, const Pass& pass, EdgeFit& fit) noexcept {
   // Rays share pixels, and interpolation smooths: their scatter is less than that of as many independent ones.
   constexpr int kDependence_q4 = 27;
   const std::int64_t square_q16 = mean_square_q16(fit.ellipse);
   const std::int64_t centre_q16 =
-      ((2 * square_q16 * kDependence_q4 / 16 / rays) * (square(fit.roughness_q16) >> 8) >> 24) +
+      ((2 * square_q16 * kDependence_q4 / 16 / pass.rays) * (square(fit.roughness_q16) >> 8) >> 24) +
       ((square_q16 >> 8) * edge.doubted_q32 >> 24);
   fit.centre_variance_q16 = to_variance_q16(centre_q16);
   const std::int64_t undone_q16 = edge.width_q16 / 2;  // radii
   const std::int64_t bias_q16 = (square_q16 * undone_q16 >> kQ16) * undone_q16 >> kQ16;
   fit.axis_variance_q16 = to_variance_q16(centre_q16 * 3 / 2 + bias_q16 / 4);
-  const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * mean_radius_q16(fit.ellipse) >> kQ16;
+  const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * pass.radius_q16 >> kQ16;
   fit.blur_q8 = static_cast<std::uint16_t>(std::min<std::int64_t>(blur_q16 >> 8, 0xffff));
   if (fit.blur_q8 > kSharp_q8) fit.flaws |= kBlurred;
 }
 
 // A fit that wandered off has found some other edge.
-bool is_near(const Ellipse& e, const Ellipse& seed) noexcept {
+bool is_near(const Ellipse& e, std::int64_t radius_q16, const Ellipse& seed, std::int64_t seed_radius_q16) noexcept {
   const auto similar = [](std::int64_t a, std::int64_t b) { return 10 * a > 7 * b && 10 * a < 13 * b; };
-  const std::int64_t radius_q16 = mean_radius_q16(seed);
   const std::int64_t du = e.u_q16 - seed.u_q16, dv = e.v_q16 - seed.v_q16;
-  return 4 * (du * du + dv * dv) < radius_q16 * radius_q16 && similar(mean_radius_q16(e), radius_q16);
+  return 4 * (du * du + dv * dv) < square(seed_radius_q16) && similar(radius_q16, seed_radius_q16);
 }
 
 // The largest change of the centre or of M, px, Q16.
@@ -132,24 +133,26 @@ bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, con
   const int sign = inside == Inside::darker ? 1 : -1;
   EdgeFit fit{.ellipse = seed};
   Edge edge{};
-  Pass pass{kCoarseRays, 0, sign, false};
+  const std::int64_t seed_radius_q16 = mean_radius_q16(seed);
+  if (seed_radius_q16 < kOne_q16) return false;
+  Pass pass{kCoarseRays, 0, seed_radius_q16, sign, false};
   for (int i_pass = 0, left = kCoarsePasses; left > 0; ++i_pass) {
     const Ellipse before = fit.ellipse;
-    const std::int64_t radius_q16 = mean_radius_q16(before);
-    if (radius_q16 < kOne_q16) return false;
-    if (pass.judged) pass.rays = rays_around(radius_q16);
+    if (pass.judged) pass.rays = rays_around(pass.radius_q16);
     const std::int64_t wanted_q16 =
-        i_pass == 0 ? (kOfSeed_q16 << kQ16) / radius_q16 : half_window_q16(edge.width_q16, radius_q16);
+        i_pass == 0 ? (kOfSeed_q16 << kQ16) / pass.radius_q16 : half_window_q16(edge.width_q16, pass.radius_q16);
     pass.half_window_q16 = static_cast<std::int32_t>(std::min<std::int64_t>(reach_q16, wanted_q16));
     budget -= pass.rays * kLooksPerRay;
-    if (!improve(image, pass, fit, edge) || !is_near(fit.ellipse, seed)) return false;
+    if (!improve(image, pass, fit, edge)) return false;
+    pass.radius_q16 = mean_radius_q16(fit.ellipse);
+    if (!is_near(fit.ellipse, pass.radius_q16, seed, seed_radius_q16)) return false;
     const bool still = change_q16(fit.ellipse, before) < (pass.judged ? kStill_q16 : kCoarseStill_q16);
     --left;
     if (pass.judged && still) break;
     if (!pass.judged && (still || left == 0)) pass.judged = true, left = kFinePasses;
   }
   edge.width_q16 = whole_width_q16(edge.width_q16, pass.half_window_q16, reach_q16);
-  put_variances(edge, pass.rays, fit);
+  put_variances(edge, pass, fit);
   if (!undo_blur(fit.ellipse, edge.width_q16)) return false;
   out = fit;
   return true;

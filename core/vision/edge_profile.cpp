@@ -163,10 +163,14 @@ bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcep
   return true;
 }
 
-int count_weak(const RaySamples& samples, int sign, const EdgeProfile& profile) noexcept {
+int find_crossings(const RaySamples& samples, int sign, const EdgeProfile& profile, PerRay& crosses) noexcept {
   int weak = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(samples.rays); ++k)
-    weak += crosses(samples.grey_q4[k], sign, profile) ? 0 : 1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(samples.rays); ++k) {
+    const PerSample& grey_q4 = samples.grey_q4[k];
+    const bool flat = 3 * sign * (grey_q4.back() - grey_q4.front()) < profile.contrast_q4;
+    crosses[k] = flat ? std::int16_t{0} : std::int16_t{-1};
+    weak += flat ? 1 : 0;
+  }
   return weak;
 }
 

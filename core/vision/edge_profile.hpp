@@ -17,6 +17,9 @@ inline constexpr int kMaxRays = kDirections;
 /// Something at each sample of a ray.
 using PerSample = std::array<std::int16_t, kSamples>;
 
+/// Something of each ray.
+using PerRay = std::array<std::int16_t, kMaxRays>;
+
 /// Grey levels, Q4: sample j of ray k at [k][j]. Ray k points to k / rays of a turn, sample j lies at the radius
 /// 1 + h (2 j / (kSamples - 1) - 1).
 struct RaySamples {
@@ -44,12 +47,8 @@ struct EdgeProfile {
 /// `sign` is 1 where it grows lighter outwards, -1 where darker. False where there is no such edge.
 bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcept;
 
-/// Whether a ray crosses a third of the mean step at least; one that does not meets something in front of the mark.
-inline bool crosses(const PerSample& grey_q4, int sign, const EdgeProfile& profile) noexcept {
-  return 3 * sign * (grey_q4.back() - grey_q4.front()) >= profile.contrast_q4;
-}
-
-/// How many rays do not cross the edge.
-int count_weak(const RaySamples& samples, int sign, const EdgeProfile& profile) noexcept;
+/// Which rays cross a third of the mean step at least: all bits of them are set, of those that meet something in front
+/// of the mark none is. Returns how many do not.
+int find_crossings(const RaySamples& samples, int sign, const EdgeProfile& profile, PerRay& crosses) noexcept;
 
 }  // namespace articam::vision

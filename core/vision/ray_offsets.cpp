@@ -1,12 +1,11 @@
 #include "core/vision/ray_offsets.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace articam::vision {
 namespace {
-
-using PerRay = std::array<std::int16_t, kMaxRays>;
 
 // A ray that meets something else does not carry the rest away.
 constexpr std::int32_t kLimit_q8 = 4 * 256 - 1;
@@ -29,6 +28,19 @@ std::int32_t dot(const PerSample& a, const PerSample& b) noexcept {
   for (std::size_t j = 0; j < kSamples; ++j) sum += a[j] * b[j];
   return sum;
 }
+
+// out = 2^fraction (whole - part) / divisor, in 32 bits: of the divisor its 13 leading ones count.
+void put_shares(std::int32_t whole, const std::array<std::int32_t, kMaxRays>& parts, int rays, std::int32_t divisor,
+                int fraction, PerRay& out) noexcept {
+  const int down = std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(divisor))) - 13);
+  const std::int32_t leading = divisor >> down, inverse = (1 << 26) / leading;
+  const std::int32_t most = static_cast<std::int32_t>(std::int64_t{leading} * kLimit_q8 >> fraction);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rays); ++k) {
+    const std::int32_t miss = std::clamp((whole - parts[k]) >> down, -most, most);
+    out[k] = static_cast<std::int16_t>(miss * inverse >> (26 - fraction));
+  }
+}
+static_assert(kLimit_q8 < 1 << 10, "with fractions of 8 bits or more, a share times 2^26 fits");
 
 // The derivative of the profile where it is steep. Farther out it tells little of the edge, and what lies there of
 // others.
@@ -61,12 +73,12 @@ std::int64_t RayOffsets::scatter_q16(const Harmonic& first_q16, const Harmonic& 
   return std::max<std::int64_t>(power_q16, 0) / (rays - kUnknowns);
 }
 
-void find_offsets(const RaySamples& samples, int sign, const EdgeProfile& profile, std::int64_t doubt_q16,
+void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, std::int64_t doubt_q16,
                   RayOffsets& out) noexcept {
   const PerSample& P = profile.mean_q4;
   const PerSample F = steep_part(profile);
-  const std::int64_t PP = dot(P, P) + 1, PD = dot(P, profile.slope_q4), PF = dot(P, F),
-                     DF = dot(profile.slope_q4, F) + 1;
+  const std::int32_t PP = dot(P, P) + 1, PF = dot(P, F), DF = dot(profile.slope_q4, F) + 1;
+  const std::int64_t PD = dot(P, profile.slope_q4);
   // Both products, of the rays less those of the profile, as shares of P.P and D.F.
   std::array<std::int32_t, kMaxRays> with_mean, with_slope;
   const auto rays = static_cast<std::size_t>(samples.rays);
@@ -75,32 +87,29 @@ void find_offsets(const RaySamples& samples, int sign, const EdgeProfile& profil
     with_slope[k] = dot(samples.grey_q4[k], F);
   }
   out.rays = samples.rays;
-  PerRay bright_q8;
-  const std::int64_t of_mean_q40 = (std::int64_t{1} << 40) / PP, of_slope_q40 = (std::int64_t{1} << 40) / DF;
-  const auto share_q8 = [](std::int64_t miss, std::int64_t inverse_q40) {
-    return static_cast<std::int16_t>(std::clamp<std::int64_t>(miss * inverse_q40 >> 32, -kLimit_q8, kLimit_q8));
-  };
-  for (std::size_t k = 0; k < rays; ++k) {
-    bright_q8[k] = share_q8((with_mean[k] - PP) * 16, of_mean_q40);  // Q12: brightness differs by a quarter at most
-    out.rho_q8[k] = share_q8(PF - with_slope[k], of_slope_q40);
-  }
+  PerRay dark_q12;  // brightness differs by a quarter at most
+  put_shares(PP, with_mean, samples.rays, PP, 12, dark_q12);
+  put_shares(PF, with_slope, samples.rays, DF, 8, out.rho_q8);
   // a = g - rho PD / PP, b = -g PF / DF + rho, for the first harmonics
-  const Harmonic a_q20 = harmonic_q16(bright_q8, samples.rays, 1), b = out.harmonic_q16(1);
-  const std::int64_t PD_PP_q16 = (PD << 16) / PP, PF_DF_q16 = (PF << 16) / DF;
+  const Harmonic a_q20 = harmonic_q16(dark_q12, samples.rays, 1), b = out.harmonic_q16(1);
+  const std::int64_t PD_PP_q16 = (PD << 16) / PP, PF_DF_q16 = (std::int64_t{PF} << 16) / DF;
   const std::int64_t det_q16 = std::max<std::int64_t>(kOne_q16 - (PD_PP_q16 * PF_DF_q16 >> 16), kOne_q16 / 64);
   const auto gain_q16 = [&](std::int64_t mean_q16, std::int64_t slope_q16) {
     return ((mean_q16 + (slope_q16 * PD_PP_q16 >> 16)) << 16) / det_q16;
   };
-  const Harmonic gain{gain_q16(a_q20.a >> 4, b.a), gain_q16(a_q20.b >> 4, b.b)};
+  const Harmonic gain{gain_q16(-a_q20.a >> 4, b.a), gain_q16(-a_q20.b >> 4, b.b)};
   const std::int64_t belief = belief_q16(gain, doubt_q16);
   const Wave& wave = wave_of(samples.rays, 1);
   const Harmonic whole{gain.a * PF_DF_q16 >> 16, gain.b * PF_DF_q16 >> 16};
   out.doubted_q32 = (square(whole.a) + square(whole.b)) / 2 * (belief * (kOne_q16 - belief) >> 16) >> 16;
-  const std::int64_t shift_a = whole.a * belief >> 16, shift_b = whole.b * belief >> 16;
+  const auto shift_q12 = [belief](std::int64_t x) {
+    return static_cast<std::int16_t>(std::clamp<std::int64_t>(x * belief >> 20, -kLimit_q8 * 16, kLimit_q8 * 16));
+  };
+  const std::int16_t shift_a = shift_q12(whole.a), shift_b = shift_q12(whole.b);
   for (std::size_t k = 0; k < rays; ++k) {
-    const std::int64_t shift_q8 = (shift_a * wave.cos_q14[k] + shift_b * wave.sin_q14[k]) >> (kQ14 + 8);
-    const std::int64_t rho_q8 = std::clamp<std::int64_t>(out.rho_q8[k] + shift_q8, -kLimit_q8, kLimit_q8);
-    out.rho_q8[k] = crosses(samples.grey_q4[k], sign, profile) ? static_cast<std::int16_t>(rho_q8) : std::int16_t{0};
+    const int shift_q8 = (shift_a * wave.cos_q14[k] + shift_b * wave.sin_q14[k]) >> (kQ14 + 4);
+    const auto rho_q8 = static_cast<std::int16_t>(out.rho_q8[k] + shift_q8);
+    out.rho_q8[k] = static_cast<std::int16_t>(std::clamp<std::int16_t>(rho_q8, -kLimit_q8, kLimit_q8) & crosses[k]);
   }
 }
 

@@ -16,7 +16,7 @@ struct Harmonic {
 /// Distances from the mean edge in samples, Q8, freed of the light's gradient.
 struct RayOffsets {
   int rays{};
-  std::array<std::int16_t, kMaxRays> rho_q8;
+  PerRay rho_q8;
   std::int64_t doubted_q32;  ///< variance of the first harmonic that is left by not knowing how even the light is
 
   Harmonic harmonic_q16(int n) const noexcept;
@@ -24,9 +24,9 @@ struct RayOffsets {
   std::int64_t scatter_q16(const Harmonic& first_q16, const Harmonic& second_q16) const noexcept;
 };
 
-/// Rays that do not cross the edge are taken to meet it where the ellipse is. `sign` as for find_profile();
-/// `doubt_q16` is the difference of brightness over a radius that is not believed to be the light's.
-void find_offsets(const RaySamples& samples, int sign, const EdgeProfile& profile, std::int64_t doubt_q16,
+/// Rays that do not cross the edge (see find_crossings) are taken to meet it where the ellipse is. `doubt_q16` is the
+/// difference of brightness over a radius that is not believed to be the light's.
+void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, std::int64_t doubt_q16,
                   RayOffsets& out) noexcept;
 
 }  // namespace articam::vision
