@@ -142,7 +142,7 @@ bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, con
     const std::int64_t wanted_q16 =
         i_pass == 0 ? (kOfSeed_q16 << kQ16) / pass.radius_q16 : half_window_q16(edge.width_q16, pass.radius_q16);
     pass.half_window_q16 = static_cast<std::int32_t>(std::min<std::int64_t>(reach_q16, wanted_q16));
-    budget -= pass.rays * kLooksPerRay;
+    budget -= (kRaysPerPass + pass.rays) * kLooksPerRay;
     if (!improve(image, pass, fit, edge)) return false;
     pass.radius_q16 = mean_radius_q16(fit.ellipse);
     if (!is_near(fit.ellipse, pass.radius_q16, seed, seed_radius_q16)) return false;

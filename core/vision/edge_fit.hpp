@@ -36,9 +36,10 @@ struct EdgeFit {
 /// Errors  false where there is no edge of that polarity near the seed: the centre stays within half a radius, the
 ///         size within 30 %; `out` is unchanged then.
 /// Work    at most three readings of 16 rays and three of up to 128; one of each where the seed is good.
-///         `budget` loses kLooksPerRay for each.
+///         `budget` loses kLooksPerRay for each ray, and for kRaysPerPass more in each reading.
 bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, const Ellipse& seed, int& budget,
               EdgeFit& out) noexcept;
-inline constexpr int kLooksPerRay = 24;  ///< what a ray costs, in pixels looked at by the search
+inline constexpr int kLooksPerRay = 18;  ///< what a ray costs, in pixels looked at by the search
+inline constexpr int kRaysPerPass = 8;   ///< what a reading costs besides its rays
 
 }  // namespace articam::vision

@@ -103,16 +103,23 @@ std::int64_t inverse_root_q16(std::int64_t q, int shift) noexcept {
 }
 
 // Half chords h of an ellipse are 1 / h^2 = Q(direction), a quadratic form: Q(1,1) + Q(1,-1) = 2 Q(1,0) + 2 Q(0,1)
-// tells whether it is one, and M M^T = Q^-1.
+// tells whether it is one, or what a hidden chord's would be; that has no length. M M^T = Q^-1.
 bool span(int u, int v, const std::array<Chord, 4>& chords, Ellipse& out) noexcept {
   const auto& [along, down, fall, rise] = chords;
   const auto form_q34 = [](const Chord& c) {
-    return (std::int64_t{1} << 52) / square(std::max(c.length_q8(), 256));  // at least a pixel long
+    return c.length_q8() == 0 ? 0 : (std::int64_t{1} << 52) / square(std::max(c.length_q8(), 256));  // at least a pixel
   };
-  const std::int64_t q00 = form_q34(along), q11 = form_q34(down), qf = form_q34(fall), qr = form_q34(rise);
+  std::int64_t q00 = form_q34(along), q11 = form_q34(down), qf = form_q34(fall), qr = form_q34(rise);
   const std::int64_t expected = 2 * (q00 + q11);
-  const int least_q8 = std::min({along.length_q8(), down.length_q8(), fall.length_q8(), rise.length_q8()});
-  if (std::abs(qf + qr - expected) > expected / 6 + expected * 256 / std::max(least_q8, 256)) return false;
+  if (std::min({q00, q11, qf, qr}) > 0) {
+    const int least_q8 = std::min({along.length_q8(), down.length_q8(), fall.length_q8(), rise.length_q8()});
+    if (std::abs(qf + qr - expected) > expected / 6 + expected * 256 / std::max(least_q8, 256)) return false;
+  } else {
+    std::int64_t& hidden = q00 == 0 ? q00 : (q11 == 0 ? q11 : (qf == 0 ? qf : qr));
+    const std::int64_t missing = &hidden == &q00 || &hidden == &q11 ? (qf + qr - expected) / 2 : expected - qf - qr;
+    if (missing <= 0) return false;
+    hidden = missing;
+  }
   const int shift = std::max(0, 34 - std::countl_zero(static_cast<std::uint64_t>(std::max(q00, q11))));
   const std::int64_t a = q00 >> shift, b = q11 >> shift, c = (qf - qr) / 4 >> shift;  // below 2^30: products fit
   if (b == 0 || a * b - c * c <= a * b / 16) return false;                            // flatter than any mark
@@ -141,11 +148,21 @@ bool to_the_middle(const Walker& walk, bool light, int most, int& u, int& v) noe
   return walk.light(u, v) == light;
 }
 
+// Both edges on a line through a ring's middle.
+bool cross_ring(const Walker& walk, const RowChord& row, int u, int v, Step step, std::int32_t ratio_q8, Chord& hole,
+                Chord& whole) noexcept {
+  const int most_hole = kFlattest * (row.inner_end - row.inner_first) + kSlack_px;
+  return walk.cross(u, v, step, true, {}, most_hole, hole) &&
+         walk.cross(u, v, step, false, hole, kFlattest * (row.end - row.first), whole) &&
+         matches_ratio(hole, whole, ratio_q8);
+}
+
 }  // namespace
 
 bool seed_ring(const ImageView& image, const RowChord& row, int v, std::int32_t ratio_q16, SearchLimits& limits,
                Ellipse& outer) noexcept {
   const std::uint8_t* grey = image.row(v);
+  const std::int32_t ratio_q8 = ratio_q16 >> 8;
   int u = (row.inner_first + row.inner_end - 1) / 2;
   const int dark = (grey[(row.first + row.inner_first) / 2] + grey[(row.inner_end + row.end - 1) / 2]) / 2;
   const int light = (grey[u] + grey[(row.inner_first + row.inner_end) / 2] + 1) / 2;
@@ -155,17 +172,20 @@ bool seed_ring(const ImageView& image, const RowChord& row, int v, std::int32_t 
   const int most_hole = kFlattest * (row.inner_end - row.inner_first) + kSlack_px;
   if (!to_the_middle(walk, true, most_hole, u, v)) return false;
 
+  // Motion along a chord may hide its ends. But three chords of a small mark, or of noise, are any three.
+  const int may_hide = row.end - row.first >= 12 && light - dark >= 4 * limits.least_contrast ? 1 : 0;
   std::array<Chord, 4> chords;
-  int holes_q8 = 0, wholes_q8 = 0;
+  int holes_q8 = 0, wholes_q8 = 0, hidden = 0;
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     Chord hole;
-    if (!walk.cross(u, v, kSteps[i], true, {}, most_hole, hole)) return false;
-    if (!walk.cross(u, v, kSteps[i], false, hole, kFlattest * (row.end - row.first), chords[i])) return false;
-    if (!matches_ratio(hole, chords[i], ratio_q16 >> 8)) return false;
+    if (!cross_ring(walk, row, u, v, kSteps[i], ratio_q8, hole, chords[i])) {
+      if (++hidden > may_hide) return false;
+      hole = chords[i] = {};
+    }
     holes_q8 += hole.length_q8(), wholes_q8 += chords[i].length_q8();
   }
   // All chords together: a third of the ratio, and half a pixel of each end.
-  const int expected_q8 = wholes_q8 * (ratio_q16 >> 8) >> 8;
+  const int expected_q8 = wholes_q8 * ratio_q8 >> 8;
   return 3 * std::abs(holes_q8 - expected_q8) < expected_q8 + 3 * 4 * 256 && span(u, v, chords, outer);
 }
 

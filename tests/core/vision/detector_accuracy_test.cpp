@@ -107,6 +107,26 @@ TEST(DetectorAccuracy, KnowsTheMajorAxisToThreeThousandthsUnderBlurUpToAPixelAnd
   }
 }
 
+// Motion by four fifths of the hole's diameter leaves the chords along it without ends.
+TEST(DetectorAccuracy, FindsRingsOf20PixelsThatMoveBy8InAnyDirectionWhileExposed) {
+  const auto detector = std::make_unique<Detector>();
+  std::vector<std::uint8_t> pixels;
+  test::DetectorScore score;
+  std::mt19937 random(7);
+  constexpr int kDirections = 24;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = std::numbers::pi * i / kDirections;
+    sim::Renderer renderer(test::kVga, {.motion_px = {8 * std::cos(angle), 8 * std::sin(angle)}});
+    const auto markers = test::grid_of_markers(kRing, 4, 3, 20, std::numbers::pi / 6, random);
+    renderer.render(markers, static_cast<std::uint64_t>(i), pixels);
+    Detections found;
+    ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
+    score.add(markers, found);
+  }
+  EXPECT_GE(score.share_found(), 0.97);  // asked for: 0.95
+  EXPECT_EQ(score.surplus, 0);
+}
+
 // Small holes are blurred most: annuli just outside 0.32 to 0.50, of 12 to 22 px, are told apart from rings of 0.41.
 TEST(DetectorAccuracy, TakesNoSmallAnnulusOfAnotherRatioForARing) {
   std::mt19937 random(3);
