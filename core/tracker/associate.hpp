@@ -88,7 +88,7 @@ Matches<M, S> associate(const Features<M, S>& features, const vision::Detections
     const Vec<S, 2> s_star = on_plane.value().centre;
     const auto seen = camera.project_with_slope(s_star);
     if (!seen.ok()) continue;
-    const S variance_px2 = static_cast<S>(detections[d].centre_variance_q16) / S(65536);
+    const S variance_px2 = static_cast<S>(detections[d].centre_variance_q24) / S(1 << 24);
     matches[f] = {true, partner[f], centre(d), s_star,
                   (variance_px2 + floor_px * floor_px) / seen.value().J.determinant()};  // px^2 to the metric plane
   }

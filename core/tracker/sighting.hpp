@@ -71,7 +71,7 @@ Result<Sighting<S>> sight(const vision::Detection& mark, int index, const vision
   seen.kind = mark.kind;
   seen.pixel = {S(vision::from_q16(mark.outer.u_q16)), S(vision::from_q16(mark.outer.v_q16))};
   seen.s_star = centre;
-  seen.variance = (static_cast<S>(mark.centre_variance_q16) / S(65536) + floor_px * floor_px) / (focal_px * focal_px);
+  seen.variance = (static_cast<S>(mark.centre_variance_q24) / S(1 << 24) + floor_px * floor_px) / (focal_px * focal_px);
   seen.shape = {m(0, 0) * m(0, 0), m(0, 0) * m(1, 0), m(1, 0) * m(1, 0) + m(1, 1) * m(1, 1)};
   seen.shape_variance = S(4) * error * error;
   seen.range_error = S(3) * axis_error(focal_px * vision::semi_major(ellipse.value()));

@@ -15,8 +15,8 @@ struct EdgeFit {
   Ellipse ellipse{};
   std::uint8_t flaws{};                 ///< Flaw bits
   std::uint16_t blur_q8{};              ///< standard deviation of the edge, px
-  std::uint32_t centre_variance_q16{};  ///< of u and of v, px^2, from the scatter of the rays about the ellipse
-  std::uint32_t axis_variance_q16{};    ///< of a semi-axis, px^2: the same, and what blur may have left
+  std::uint32_t centre_variance_q24{};  ///< of u and of v, px^2, from the scatter of the rays about the ellipse
+  std::uint32_t axis_variance_q24{};    ///< of a semi-axis, px^2: the same, and what blur may have left
   std::int32_t contrast_q4{};           ///< mean step of grey across the edge, Q4, positive
   std::int32_t roughness_q16{};         ///< RMS distance of the edge from the ellipse, in radii, Q16
   std::int32_t corners_q16{};           ///< amplitude of its third and fourth harmonic, which polygons have, in radii

@@ -38,8 +38,8 @@ void put(const EdgeFit& fit, MarkKind kind, Detection& out) noexcept {
          .flaws = fit.flaws,
          .blur_q8 = fit.blur_q8,
          .outer = fit.ellipse,
-         .centre_variance_q16 = fit.centre_variance_q16,
-         .axis_variance_q16 = fit.axis_variance_q16};
+         .centre_variance_q24 = fit.centre_variance_q24,
+         .axis_variance_q24 = fit.axis_variance_q24};
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t rati
   if (!is_an_ellipse(inner, 2) || !belong_together(outer, inner, ratio_q16)) return false;
   put(outer, MarkKind::ring, out);
   out.inner = inner.ellipse;
-  out.inner_centre_variance_q16 = inner.centre_variance_q16;
-  out.inner_axis_variance_q16 = inner.axis_variance_q16;
+  out.inner_centre_variance_q24 = inner.centre_variance_q24;
+  out.inner_axis_variance_q24 = inner.axis_variance_q24;
   return true;
 }
 

@@ -42,8 +42,8 @@ inline std::uint64_t hash_of(const vision::Detections& detections) noexcept {
     }
     hash.put(detection.flaws);
     hash.put(detection.blur_q8);
-    for (const std::uint32_t x : {detection.centre_variance_q16, detection.axis_variance_q16,
-                                  detection.inner_centre_variance_q16, detection.inner_axis_variance_q16})
+    for (const std::uint32_t x : {detection.centre_variance_q24, detection.axis_variance_q24,
+                                  detection.inner_centre_variance_q24, detection.inner_axis_variance_q24})
       hash.put(x);
   }
   return hash.value();

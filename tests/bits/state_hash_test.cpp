@@ -28,13 +28,13 @@ void expect_every_bit_counts(const Whole& whole, Number& part) {
 
 TEST(StateHash, ChangesWithEveryBitOfADetection) {
   vision::Detections detections;
-  for (int i = 0; i < 6; ++i) ASSERT_TRUE(detections.push_back({.outer = {i, 2, 3, 4, 5}, .centre_variance_q16 = 7}));
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(detections.push_back({.outer = {i, 2, 3, 4, 5}, .centre_variance_q24 = 7}));
   for (vision::Detection& detection : detections) {
     expect_every_bit_counts(detections, detection.kind);
     expect_every_bit_counts(detections, detection.flaws);
     expect_every_bit_counts(detections, detection.blur_q8);
-    for (std::uint32_t* x : {&detection.centre_variance_q16, &detection.axis_variance_q16,
-                             &detection.inner_centre_variance_q16, &detection.inner_axis_variance_q16})
+    for (std::uint32_t* x : {&detection.centre_variance_q24, &detection.axis_variance_q24,
+                             &detection.inner_centre_variance_q24, &detection.inner_axis_variance_q24})
       expect_every_bit_counts(detections, *x);
     for (vision::Ellipse* e : {&detection.outer, &detection.inner}) {
       for (std::int32_t* x : {&e->u_q16, &e->v_q16, &e->m00_q16, &e->m10_q16, &e->m11_q16}) {
@@ -46,7 +46,7 @@ TEST(StateHash, ChangesWithEveryBitOfADetection) {
 
 TEST(StateHash, ChangesWithTheNumberOfDetectionsAndWithTheirOrder) {
   vision::Detections none, one, two, swapped;
-  const vision::Detection first{}, second{.kind = vision::MarkKind::dot_dark_on_light, .centre_variance_q16 = 1};
+  const vision::Detection first{}, second{.kind = vision::MarkKind::dot_dark_on_light, .centre_variance_q24 = 1};
   ASSERT_TRUE(one.push_back(first));
   ASSERT_TRUE(two.push_back(first) && two.push_back(second));
   ASSERT_TRUE(swapped.push_back(second) && swapped.push_back(first));

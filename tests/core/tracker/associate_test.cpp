@@ -57,7 +57,7 @@ vision::Detection detection_at(const tracker::Feature<double>& feature, Vec<doub
   d.kind = feature.kind;
   d.outer = {q16(feature.pixel.x() + off.x()), q16(feature.pixel.y() + off.y()), q16(size * feature.radius_px), 0,
              q16(0.9 * size * feature.radius_px)};
-  d.centre_variance_q16 = 16;
+  d.centre_variance_q24 = 16 << 8;
   return d;
 }
 

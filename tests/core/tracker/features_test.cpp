@@ -43,7 +43,7 @@ TEST(Features, AreWhereADetectorSeesTheMarkersSoThatTheirMatchesHaveNoError) {
     vision::Detections detections;
     for (const auto& feature : features) {
       if (!feature.visible) continue;
-      ASSERT_TRUE(detections.push_back({.kind = feature.kind, .outer = feature.image, .centre_variance_q16 = 16}));
+      ASSERT_TRUE(detections.push_back({.kind = feature.kind, .outer = feature.image, .centre_variance_q24 = 16 << 8}));
     }
     ASSERT_GE(detections.size(), 4u);
     const auto matches =

@@ -59,7 +59,7 @@ TEST(Detector, ReportsSaneEllipsesOnlyOnCheckersNoiseAndNestedRings) {
     for (const Detection& mark : out) {
       expect_sane(mark.outer, image);
       if (mark.kind == MarkKind::ring) expect_sane(mark.inner, image);
-      EXPECT_GT(mark.centre_variance_q16, 0u);
+      EXPECT_GT(mark.centre_variance_q24, 0u);
     }
   }
 }

@@ -35,9 +35,9 @@ struct DetectorScore {
         if (squared > 1) continue;
         ++matched;
         squared_px2 += squared;
-        normalised += squared / 2 / (mark.centre_variance_q16 / 65536.0);
+        normalised += squared / 2 / (mark.centre_variance_q24 / 16777216.0);
         major_error += seen.major_px / truth.major_px - 1;
-        major_normalised += std::pow(seen.major_px - truth.major_px, 2) / (mark.axis_variance_q16 / 65536.0);
+        major_normalised += std::pow(seen.major_px - truth.major_px, 2) / (mark.axis_variance_q24 / 16777216.0);
         break;
       }
     }

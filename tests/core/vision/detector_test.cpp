@@ -46,7 +46,7 @@ void expect_same(const Detection& a, const Detection& b, std::int32_t du_px = 0,
   EXPECT_EQ(a.outer.m10_q16, b.outer.m10_q16);
   EXPECT_EQ(a.outer.m11_q16, b.outer.m11_q16);
   EXPECT_EQ(a.inner.m00_q16, b.inner.m00_q16);
-  EXPECT_EQ(a.centre_variance_q16, b.centre_variance_q16);
+  EXPECT_EQ(a.centre_variance_q24, b.centre_variance_q24);
 }
 
 TEST_F(DetectorLaws, FindTheSameInTheSameFrameWhateverCameBefore) {
