@@ -6,7 +6,6 @@
 
 #include "core/model/configuration.hpp"
 #include "core/model/forward_kinematics.hpp"
-#include "core/model/point_jacobian.hpp"
 #include "core/vision/camera_model.hpp"
 #include "core/vision/detection.hpp"
 #include "core/vision/image_view.hpp"
@@ -30,7 +29,9 @@ struct Feature {
   vision::Ellipse image{};             ///< of its outer edge, as a detector would report it
   Vec<S, 2> pixel{Vec<S, 2>::Zero()};  ///< centre of that, or the image of the marker's centre (FeatureKind)
   S radius_px{};                       ///< semi-major axis of `image`
-  S spread_px{};  ///< how far beyond plain tracking's reach it may be, the joints being badly known
+  // How badly the configuration is known, see spread_features(); 0 where it is known.
+  Mat<S, 2, 2> covariance{Mat<S, 2, 2>::Zero()};  ///< of `pixel`, px^2
+  S size_variance{};                              ///< of the logarithm of the image's area
 };
 
 template <class M, class S>
@@ -86,28 +87,6 @@ Features<M, S> predict_features(const model::Configuration<M, S>& q, const visio
                       feature.pixel.y() >= S(0) && feature.pixel.y() < static_cast<S>(size.height_px);
   }
   return features;
-}
-
-/// Sets every visible feature's spread_px: the sum of what each degree of freedom moves it by, `excess` being how much
-/// worse each is known than in plain tracking (m, rad).
-template <class M, class S>
-void spread_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera,
-                     const Vec<S, model::kDof<M>>& excess, Features<M, S>& features) noexcept {
-  if (excess.isZero(0)) return;
-  const auto kinematics = model::forward_kinematics<M, S>(q.joints);
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (!features[i].visible) continue;
-    const model::MarkerRow& row = M::kMarkers[i];
-    const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
-    const auto L = vision::imaged_centre_interaction_matrix(circle);
-    if (!L.ok()) continue;
-    const Mat<S, 2, model::kDof<M>> A =
-        L.value().lazyProduct(model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body));
-    S sum{0};
-    for (int j = 0; j < model::kDof<M>; ++j) sum += A.col(j).norm() * excess[j];
-    const S most = static_cast<S>(camera.parameters().width_px);
-    features[i].spread_px = sum * camera.focal_px() < most ? sum * camera.focal_px() : most;
-  }
 }
 
 }  // namespace articam::tracker

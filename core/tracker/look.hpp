@@ -11,14 +11,14 @@ namespace articam::tracker {
 /// Columns and rows that a feature may be found in, its whole image and a border of background included.
 template <class S>
 PixelBox window_of(const Feature<S>& feature) noexcept {
-  const S reach = reach_px(feature, kTrackingGate<S>) + S(1.3) * feature.radius_px + S(3);
+  const Vec<S, 2> reach = reach_px(feature) + Vec<S, 2>::Constant(S(1.3) * feature.radius_px + S(3));
   const auto edge = [](S centre, S away) {
     constexpr S kFar{1e6};  // beyond any image, within any int
     const S x = centre + away;
     return static_cast<int>(x < -kFar ? -kFar : (x > kFar ? kFar : x));
   };
-  return {edge(feature.pixel.x(), -reach), edge(feature.pixel.y(), -reach), edge(feature.pixel.x(), reach),
-          edge(feature.pixel.y(), reach)};
+  return {edge(feature.pixel.x(), -reach.x()), edge(feature.pixel.y(), -reach.y()), edge(feature.pixel.x(), reach.x()),
+          edge(feature.pixel.y(), reach.y())};
 }
 
 /// Some mark of the feature's kind lies where the feature is expected, to half a radius.
@@ -33,7 +33,7 @@ bool is_seen(const Feature<S>& feature, const vision::Detections& marks) noexcep
 }
 
 /// Image, predicted features -> detections. Each visible feature is measured where it is expected; windows are searched
-/// for those that are not there or whose place is badly known; the whole frame, where more than half are still missing.
+/// for those that are not there; the whole frame, where more than half are still missing.
 /// Returns whether the detector was overloaded. The image has been checked: the detector does not refuse it.
 template <class M, class S>
 bool look(vision::Detector& detector, const ImageView& image, const Features<M, S>& features,
@@ -43,8 +43,7 @@ bool look(vision::Detector& detector, const ImageView& image, const Features<M, 
   int visible = 0;
   for (const Feature<S>& feature : features) {
     visible += feature.visible ? 1 : 0;
-    const bool near = feature.spread_px < S(0.2) * feature.radius_px;
-    if (feature.visible && near) (void)expected.push_back({feature.kind, feature.image});
+    if (feature.visible) (void)expected.push_back({feature.kind, feature.image});
   }
   (void)detector.measure(image, {expected.begin(), expected.size()}, out);
 

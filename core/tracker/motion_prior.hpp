@@ -8,8 +8,8 @@
 
 namespace articam::tracker {
 
-/// Constant velocity for the mean; a standard deviation that never falls below Options::prior_* and grows at
-/// Options::growth_* while a degree of freedom is not observed.
+/// Constant velocity for the mean. Its standard deviation is what the last frame left and grows at Options::growth_*,
+/// which bears changes of speed; as a prior for the next frame it never falls below Options::prior_*.
 template <class M, class S>
 class MotionPrior {
  public:
@@ -39,7 +39,7 @@ class MotionPrior {
     }
     const Rates growth =
         spread(options_.growth_base_m, options_.growth_base_rad, options_.growth_slide_m, options_.growth_turn_rad);
-    deviation_ = (deviation_ + growth * elapsed_s).cwiseMax(least()).cwiseMin(most());
+    deviation_ = (deviation_ + growth * elapsed_s).cwiseMin(most());
     return integrated ? elapsed_s : S(0);
   }
 
@@ -61,12 +61,12 @@ class MotionPrior {
 
   /// Half the prior's deviation is left: the frame has said less of this degree of freedom than was known without it.
   bool is_weak(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
-    return !(covariance(i, i) < S(0.25) * deviation_[i] * deviation_[i]);
+    return !(covariance(i, i) < S(0.25) * prior_variance()[i]);
   }
   /// All of it is left, but for a hundredth: what the neighbours' correlations take is no observation.
   Observability observability(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
     if (!is_weak(covariance, i)) return Observability::observed;
-    return covariance(i, i) < S(0.98) * deviation_[i] * deviation_[i] ? Observability::weak : Observability::held;
+    return covariance(i, i) < S(0.98) * prior_variance()[i] ? Observability::weak : Observability::held;
   }
 
   /// The object was found at q, whatever was expected.
@@ -81,10 +81,10 @@ class MotionPrior {
 
   const Configuration& q() const noexcept { return q_; }
   const Rates& rates() const noexcept { return rates_; }
-  Prior<M, S> prior() const noexcept { return {q_, deviation_.cwiseAbs2()}; }
+  Prior<M, S> prior() const noexcept { return {q_, prior_variance()}; }
 
-  /// How much wider the prior is than in plain tracking, m and rad.
-  Rates excess() const noexcept { return (deviation_ - least()).cwiseMax(S(0)); }
+  /// How far q may be from the truth, m^2 and rad^2.
+  Rates variance() const noexcept { return deviation_.cwiseAbs2(); }
 
   /// Takes back all that is known of how near the mean is: as wide as before anything was seen.
   void widen() noexcept { deviation_ = most(); }
@@ -105,6 +105,7 @@ class MotionPrior {
     return spread;
   }
 
+  Rates prior_variance() const noexcept { return deviation_.cwiseMax(least()).cwiseAbs2(); }
   Rates least() const noexcept {
     return spread(options_.prior_base_m, options_.prior_base_rad, options_.prior_slide_m, options_.prior_turn_rad);
   }

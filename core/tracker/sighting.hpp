@@ -79,6 +79,12 @@ Result<Sighting<S>> sight(const vision::Detection& mark, int index, const vision
   return seen;
 }
 
+/// The radius of the disc of the same area: the geometric mean of the semi-axes.
+template <class S>
+S mean_radius_px(const vision::Ellipse& e) noexcept {
+  return std::sqrt(S(vision::from_q16(e.m00_q16)) * S(vision::from_q16(e.m11_q16)));
+}
+
 /// The sightings of a frame, the largest first: their poses are the surest, and clutter is mostly small.
 template <class M, class S>
 Sightings<M, S> gather(const vision::Detections& detections, const vision::CameraModel<S>& camera,

@@ -67,9 +67,9 @@ class Tracker {
   bool fits(const ImageView& image) const noexcept;
   EstimateType follow(Timestamp t) noexcept;
   void begin(Timestamp t) noexcept;
-  void predict() noexcept;
+  void predict(const Vec<Scalar, kDof>& P) noexcept;
   void look(const ImageView& image) noexcept;
-  void match(const Gate<Scalar>& gate) noexcept;
+  void match() noexcept;
   void iterate() noexcept;
   void search() noexcept;
   void acquire() noexcept;

@@ -78,7 +78,7 @@ template <class Model, class Scalar>
 auto Tracker<Model, Scalar>::follow(Timestamp t) noexcept -> EstimateType {
   const bool paper = options_.mode == Mode::paper;
   if (has_start_) {
-    match(following_ ? kTrackingGate<Scalar> : kSearchGate<Scalar>);  // detections -> pairs (s, s_star)
+    match();  // detections -> pairs (s, s_star)
     if (paper) {
       paper_step();  // pairs -> e, A -> (5) -> (6)
     } else if (following_) {
@@ -123,7 +123,7 @@ auto Tracker<Model, Scalar>::coast(Timestamp t, Reason reason) const noexcept ->
   estimate.valid = verdict.status == TrackingStatus::coasting;
   estimate.q = motion.q();
   estimate.qdot = motion.rates();
-  estimate.covariance = motion.prior().variance.asDiagonal();
+  estimate.covariance = motion.variance().asDiagonal();
   return estimate;
 }
 
@@ -138,15 +138,15 @@ void Tracker<Model, Scalar>::begin(Timestamp t) noexcept {
   rms_px_ = Scalar(0);
   following_ = judge_.following(t);
   period_s_ = motion_.advance(t);
-  if (!following_ && options_.mode != Mode::paper) motion_.widen();
+  if (!following_) motion_.widen();
   q_ = motion_.q();
-  predict();
+  predict(motion_.variance());
 }
 
 template <class Model, class Scalar>
-void Tracker<Model, Scalar>::predict() noexcept {
+void Tracker<Model, Scalar>::predict(const Vec<Scalar, kDof>& P) noexcept {
   features_ = predict_features<Model, Scalar>(q_, camera_, feature_kind());
-  if (following_) spread_features<Model, Scalar>(q_, camera_, motion_.excess(), features_);
+  spread_features<Model, Scalar>(q_, camera_, P, features_);
 }
 
 template <class Model, class Scalar>
@@ -160,8 +160,8 @@ void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
 }
 
 template <class Model, class Scalar>
-void Tracker<Model, Scalar>::match(const Gate<Scalar>& gate) noexcept {
-  matches_ = associate<Model, Scalar>(features_, detections_, camera_, gate, static_cast<Scalar>(options_.floor_px));
+void Tracker<Model, Scalar>::match() noexcept {
+  matches_ = associate<Model, Scalar>(features_, detections_, camera_, static_cast<Scalar>(options_.floor_px));
   for (auto& match : matches_) match.variance *= noise_.factor();
 }
 
@@ -239,7 +239,7 @@ auto Tracker<Model, Scalar>::judge(Timestamp t) noexcept -> EstimateType {
     motion_.measured(q_, found_.solution.covariance, period_s_, following_ && !paper);
     estimate.covariance = found_.solution.covariance;
   } else {
-    estimate.covariance = motion_.prior().variance.asDiagonal();
+    estimate.covariance = motion_.variance().asDiagonal();
     paper_.reset();
     // A lost object is not followed into the blue.
     if (verdict.status != TrackingStatus::coasting) motion_.halt();

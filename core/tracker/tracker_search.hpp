@@ -7,11 +7,12 @@ namespace articam::tracker {
 
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::search() noexcept {
+  const Vec<Scalar, kDof> kKnown = Vec<Scalar, kDof>::Zero();
   Scalar first_error{0};
   int iterations = 0;
   for (int round = 0; round < kSearchRounds; ++round) {
     const bool last = round + 1 == kSearchRounds;
-    if (round > 0) predict(), match(last ? kTrackingGate<Scalar> : kSearchGate<Scalar>);
+    if (round > 0) predict(last ? kKnown : motion_.variance()), match();
     if (last) {
       iterate();
     } else {
@@ -57,8 +58,8 @@ void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
   rms_px_ = Scalar(0);
   motion_.restart(q);
   q_ = q;
-  predict();
-  match(kTrackingGate<Scalar>);
+  predict(Vec<Scalar, kDof>::Zero());
+  match();
   iterate();
   weigh();
   if (has_start_) found_.solution.error_norm = first_error;

@@ -15,8 +15,7 @@ namespace articam::app {
 /// Why no mark belongs to a feature, beside the nearest one of its kind. The tracker judged by its prediction, this
 /// looks back from the estimate: of a frame that moved the estimate far, the numbers are not those of the decision.
 template <class S>
-std::string why_unmatched(const tracker::Feature<S>& feature, const vision::Detections& marks,
-                          const tracker::Gate<S>& gate) {
+std::string why_unmatched(const tracker::Feature<S>& feature, const vision::Detections& marks) {
   const vision::Detection* nearest = nullptr;
   S distance{};
   for (const vision::Detection& mark : marks) {
@@ -27,10 +26,11 @@ std::string why_unmatched(const tracker::Feature<S>& feature, const vision::Dete
     distance = d;
   }
   if (nearest == nullptr) return "none of its kind seen";
-  if (distance > tracker::reach_px(feature, gate)) return fmt::format("gate, nearest {:.0f} px off", distance);
-  const S size = tracker::mean_radius_px<S>(nearest->outer) / feature.radius_px;
-  if (size > gate.size_ratio || size * gate.size_ratio < S(0.58)) return fmt::format("size, seen {:.2f} of it", size);
-  return "not paired";
+  const auto found = tracker::innovation(feature, *nearest);
+  if (found.passes()) return "not paired";
+  if (found.centre > found.size) return fmt::format("gate, nearest {:.0f} px off", distance);
+  const S size = tracker::mean_radius_px<S>(nearest->outer) / tracker::mean_radius_px<S>(feature.image);
+  return fmt::format("size, seen {:.2f} of it", size);
 }
 
 template <class Model, class S>
@@ -47,7 +47,7 @@ hal::Overlay overlay_of(const tracker::Tracker<Model, S>& tracker, const tracker
     if (!features[i].visible) continue;
     const std::string why_not = match.matched ? ""
                                 : outlier     ? std::string("outlier")
-                                              : why_unmatched(features[i], marks, tracker::kTrackingGate<S>);
+                                              : why_unmatched(features[i], marks);
     overlay.predicted.push_back({std::string(Model::kMarkers[i].name), features[i].image, match.matched, why_not});
   }
   overlay.caption = fmt::format("frame {}   {} {}   matched {}   rms {:.2f} px{}", estimate.frame,

@@ -66,8 +66,7 @@ TEST(Associate, GivesEachMarkerItsOwnDetectionWhateverTheirOrder) {
   vision::Detections detections;
   for (std::size_t i = features.size(); i-- > 0;)
     ASSERT_TRUE(detections.push_back(detection_at(features[i], {1.5, -2})));
-  const auto matches =
-      tracker::associate<M, double>(features, detections, camera(), tracker::kTrackingGate<double>, 0.02);
+  const auto matches = tracker::associate<M, double>(features, detections, camera(), 0.02);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     ASSERT_TRUE(matches[i].matched) << i;
     EXPECT_EQ(matches[i].detection, static_cast<int>(features.size() - 1 - i));
@@ -82,8 +81,7 @@ TEST(Associate, TakesNothingOutsideTheGateOfAnotherSizeOrOfAnotherKind) {
   const auto matched_with = [&](const vision::Detection& d) {
     vision::Detections detections;
     EXPECT_TRUE(detections.push_back(d));
-    return tracker::count<M, double>(
-        tracker::associate<M, double>(features, detections, camera(), tracker::kTrackingGate<double>, 0.02));
+    return tracker::count<M, double>(tracker::associate<M, double>(features, detections, camera(), 0.02));
   };
   EXPECT_EQ(matched_with(detection_at(features[0], {0, 0})), 1);
   EXPECT_EQ(matched_with(detection_at(features[0], {60, 0})), 0);
@@ -92,6 +90,57 @@ TEST(Associate, TakesNothingOutsideTheGateOfAnotherSizeOrOfAnotherKind) {
   auto dot = detection_at(features[0], {0, 0});
   dot.kind = vision::MarkKind::dot_dark_on_light;
   EXPECT_EQ(matched_with(dot), 0);
+}
+
+/// Two features `apart_px` beside each other, alike but for the deviation of the second one's place.
+tracker::Features<M, double> neighbours(double apart_px, double deviation_px) {
+  auto features = tracker::predict_features<M, double>(test::nominal_printer<M, double>(), camera());
+  for (std::size_t i = 1; i < features.size(); ++i) features[i].visible = false;
+  features[1] = features[0];
+  features[1].pixel.x() += apart_px;
+  features[1].image.u_q16 += static_cast<std::int32_t>(65536 * apart_px);
+  features[1].covariance = deviation_px * deviation_px * Mat<double, 2, 2>::Identity();
+  return features;
+}
+
+TEST(Associate, GivesAMarkBetweenTwoFeaturesToTheOneWhosePlaceIsBetterKnown) {
+  for (const double share : {0.1, 0.3, 0.5, 0.7}) {
+    const auto features = neighbours(10, 30);  // as a joint that was hidden for a while is known
+    vision::Detections detections;
+    ASSERT_TRUE(detections.push_back(detection_at(features[0], {10 * share, 0})));
+    const auto matches = tracker::associate<M, double>(features, detections, camera(), 0.02);
+    EXPECT_TRUE(matches[0].matched) << share;
+    EXPECT_FALSE(matches[1].matched) << share;
+  }
+}
+
+TEST(Associate, LeavesAHiddenMarkerAloneRatherThanGivingItItsNeighboursMark) {
+  for (const int hidden : {0, 1}) {
+    const auto features = neighbours(40, 0);
+    const auto seen = static_cast<std::size_t>(1 - hidden);
+    for (const double off_px : {-15.0, -5.0, 0.0, 5.0, 15.0}) {
+      vision::Detections detections;
+      ASSERT_TRUE(detections.push_back(detection_at(features[seen], {off_px, 0})));
+      const auto matches = tracker::associate<M, double>(features, detections, camera(), 0.02);
+      EXPECT_TRUE(matches[seen].matched) << off_px;
+      EXPECT_EQ((tracker::count<M, double>(matches)), 1) << off_px;
+    }
+  }
+}
+
+TEST(Associate, TellsTwoMarkersOfDifferentSizeApartWhereTheirPlacesDoNot) {
+  auto features = neighbours(4, 8);
+  features[0].covariance = features[1].covariance;
+  auto& smaller = features[1].image;
+  smaller.m00_q16 = smaller.m00_q16 / 4 * 3, smaller.m11_q16 = smaller.m11_q16 / 4 * 3;
+  vision::Detections detections;  // each nearer to the other's place
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    ASSERT_TRUE(detections.push_back({.kind = features[i].kind, .outer = features[i].image}));
+    detections[i].outer.u_q16 = features[1 - i].image.u_q16;
+  }
+  const auto matches = tracker::associate<M, double>(features, detections, camera(), 0.02);
+  EXPECT_EQ(matches[0].detection, 0);
+  EXPECT_EQ(matches[1].detection, 1);
 }
 
 TEST(Associate, LooksForNoMarkerThatFacesAwayOrIsOutsideTheImage) {

@@ -46,8 +46,7 @@ TEST(Features, AreWhereADetectorSeesTheMarkersSoThatTheirMatchesHaveNoError) {
       ASSERT_TRUE(detections.push_back({.kind = feature.kind, .outer = feature.image, .centre_variance_q24 = 16 << 8}));
     }
     ASSERT_GE(detections.size(), 4u);
-    const auto matches =
-        tracker::associate<M, double>(features, detections, camera, tracker::kTrackingGate<double>, 0.02);
+    const auto matches = tracker::associate<M, double>(features, detections, camera, 0.02);
     ASSERT_EQ((tracker::count<M, double>(matches)), static_cast<int>(detections.size()));
     for (std::size_t i = 0; i < matches.size(); ++i) {
       if (!matches[i].matched) continue;
