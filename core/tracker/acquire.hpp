@@ -76,6 +76,7 @@ class Acquisition {
   static constexpr S kMaxMisfitOfPart{S(0.6)};
   static constexpr int kIterations = 8;
   static constexpr int kFirstGuesses = -1, kNoJoint = model::kNumJoints<M>;  ///< see develop()
+  static constexpr int kNoBlindJoint = -1;
   static constexpr int kFirstIterations = 3;  ///< from two marks: pairs follow that say more
 
   void try_pairs() noexcept;

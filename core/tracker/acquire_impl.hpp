@@ -35,8 +35,8 @@ auto Acquisition<M, S>::better_than(const Configuration& q, const vision::Detect
   challenge();
   result_.complete = true;
   conclude();
-  const bool better = result_.certainty == Certainty::sure && is_distinct(result_.candidates[0], given);
-  if (!better) return Status::too_few_features;
+  const bool better = result_.candidates[0].cost + kMargin <= given.cost;
+  if (result_.certainty != Certainty::sure || !better) return Status::too_few_features;
   return result_.candidates[0].q;
 }
 
@@ -139,7 +139,8 @@ void Acquisition<M, S>::consider() noexcept {
   develop(q, M::kMarkers[pair.a].body, pair.joint < 0 ? 0 : JointSet{1} << pair.joint, kFirstGuesses);
 }
 
-/// From a pose of the anchor body to a whole configuration. Of joint `second_guess` the second best value is taken; a
+/// From a pose of the anchor body to a whole configuration, joint by joint; one that its own marker does not tell of is
+/// found with the next. Of joint `second_guess` the second best value is taken; a
 /// challenge (anything but kFirstGuesses) does not heed what was tried: mirror images may be less than a radius apart.
 template <class M, class S>
 void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept {
@@ -152,17 +153,29 @@ void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int
   }
   const JointSearch<M, S> joint_search(sightings_, camera_, S(1));
   JointSet tried = known;
+  int blind = kNoBlindJoint;
   for (int j = next_joint(anchor, known, tried); j >= 0; j = next_joint(anchor, known, tried)) {
     tried |= JointSet{1} << j;
-    const auto guesses = joint_search.search(q, anchor, known, j, pairing);
-    result_.work += travel_pieces<M>(j) / 4 + static_cast<int>(guesses.size()) + 1;
+    if (!moves_a_centre<M>(anchor, known, j)) {  // it shows in what the next joint carries
+      blind = j, known |= JointSet{1} << j;
+      continue;
+    }
+    const auto guesses = joint_search.search(q, {anchor, known, j, blind, pairing});
+    const int travels = blind == kNoBlindJoint ? 1 : kTravelPieces;
+    result_.work += travels * (travel_pieces<M>(j) / 4) + static_cast<int>(guesses.size()) + 1;
     const std::size_t choice = j == second_guess ? 1 : 0;
     if (guesses.size() <= choice) {
       if (choice > 0) return;  // there is no other
+      if (blind != kNoBlindJoint) known &= ~(JointSet{1} << blind);
+      const bool alone = blind == kNoBlindJoint;
+      blind = alone ? j : kNoBlindJoint;  // its marker is hidden: the next one's may tell of both
+      if (alone) known |= JointSet{1} << j;
       continue;
     }
+    if (blind != kNoBlindJoint) q = with_joint<M, S>(q, anchor, blind, guesses[choice].blind_value);
     q = with_joint<M, S>(q, anchor, j, guesses[choice].value);
     known |= JointSet{1} << j;
+    blind = kNoBlindJoint;
     if (!approach(q, anchor, known, S(1), kIterations, pairing)) return;
   }
   if (approach(q, anchor, known, S(0.5), kIterations, pairing)) weigh(q, anchor, known);

@@ -174,9 +174,6 @@ model::Configuration<Model, double> nearby() {
 }
 
 TEST_P(Start, IsFoundByTheTrackerFromNearby) {
-  if (GetParam() == "arm7")
-    GTEST_SKIP() << "its last two joints have a second pair of values 0.6 rad away that shows every centre within a "
-                    "hundredth of a pixel; the marks' shapes, which tell them apart, are not measurements yet";
   visit_model(GetParam(), []<class Model>() {
     constexpr CameraParameters kCamera = camera_of(Model::kName);
     const auto truth = start<Model>();

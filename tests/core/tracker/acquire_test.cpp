@@ -4,7 +4,9 @@
 
 #include <memory>
 
+#include "static_models/arm7/arm7.hpp"
 #include "static_models/printer_drawer/printer_drawer.hpp"
+#include "static_models/steering_wheel/steering_wheel.hpp"
 #include "static_models/valve/valve.hpp"
 #include "tests/support/random_views.hpp"
 
@@ -111,6 +113,41 @@ TEST(Acquisition, FindsAWheelThatTurnsAndTheStemThatItDrives) {
     ++sure;
     const double off = acquisition.result().candidates[0].q.joints[0] - q.joints[0];
     EXPECT_LT(std::abs(math::atan2(math::sin_cos(off).sin, math::sin_cos(off).cos)), 0.02) << view;
+  }
+  EXPECT_GE(sure, 7);
+}
+
+TEST(Acquisition, FindsTwoJointsTogetherWhereTheMarkerBetweenThemIsHidden) {
+  const vision::CameraModel<double> camera{kCamera};
+  test::Random random{6};
+  constexpr int kHidden = models::SteeringWheel::Marker::kColumnRing;
+  for (int view = 0; view < 10; ++view) {
+    const auto q = test::random_view<models::SteeringWheel>(camera, {.nearest_m = 0.6}, random);
+    auto detections = test::detections_of<models::SteeringWheel>(q, camera, kDeviation_px, random);
+    detections[kHidden] = test::clutter(vision::MarkKind::dot_dark_on_light, kCamera, random);
+    Acquisition<models::SteeringWheel, double> acquisition{camera, kFloor_px};
+    (void)search_all(acquisition, detections);
+    ASSERT_EQ(acquisition.result().certainty, Certainty::sure) << view;
+    EXPECT_TRUE(pairs_rightly(acquisition, acquisition.result().candidates[0], [](int i) { return i; })) << view;
+  }
+}
+
+TEST(Acquisition, FindsAWristWhoseMarkerTurnsWhereItIs) {
+  static_assert(!moves_a_centre<models::Arm7>(-1, 0b0011111, models::Arm7::Joint::kJoint6));
+  static_assert(moves_a_centre<models::Arm7>(-1, 0b0111111, models::Arm7::Joint::kJoint7));
+  const vision::CameraModel<double> camera{kCamera};
+  test::Random random{7};
+  int sure = 0;
+  for (int view = 0; view < 10; ++view) {
+    const auto q = test::random_view<models::Arm7>(camera, {.nearest_m = 1, .farthest_m = 1.8}, random);
+    const auto detections = test::detections_of<models::Arm7>(q, camera, kDeviation_px, random);
+    Acquisition<models::Arm7, double> acquisition{camera, kFloor_px};
+    (void)search_all(acquisition, detections);
+    const auto& found = acquisition.result();
+    if (found.certainty != Certainty::sure) continue;
+    ++sure;
+    EXPECT_TRUE(pairs_rightly(acquisition, found.candidates[0], [](int i) { return i; })) << view;
+    EXPECT_EQ(found.candidates[0].paired, 12) << view;
   }
   EXPECT_GE(sure, 7);
 }
