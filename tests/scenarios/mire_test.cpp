@@ -119,6 +119,52 @@ TEST(Mire, IsTrackedOnRealFramesWithEveryDotWhereAnIndependentMethodFindsIt) {
   RecordProperty("worst_distance_px", std::to_string(result.worst_distance_px));
 }
 
+/// The plate without its compiled-in start. After half a turn its four equal dots look the same.
+struct UnstartedMire : models::Mire {
+  static constexpr bool kHasQ0 = false;
+};
+
+/// The farthest that a dot of q is from where it is seen, the dots renamed by `half_turn`.
+double farthest_px(const tracker::Tracker<UnstartedMire, double>& tracker,
+                   const model::Configuration<UnstartedMire, double>& q, const std::array<cv::Point2d, 4>& dots,
+                   bool half_turn) {
+  const auto features = tracker::predict_features<UnstartedMire, double>(q, tracker.camera());
+  double farthest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& dot = dots[half_turn ? (i + 2) % 4 : i];
+    farthest = std::max(farthest, (features[i].pixel - Vec<double, 2>{dot.x, dot.y}).norm());
+  }
+  return farthest;
+}
+
+TEST(Mire, WithoutAStartIsAmbiguousOnRealFramesAndItsCandidatesAreBothHalfTurns) {
+  const auto files = recording();
+  if (files.empty()) GTEST_SKIP() << kMissing;
+  modelgen::Diagnostics diagnostics;
+  const auto camera_file = modelgen::read_camera(ARTICAM_CAMERAS "/mire_384x288.yaml", diagnostics);
+  ASSERT_TRUE(camera_file) << diagnostics.text();
+  hal::PgmCamera camera{files, 30};
+  IndependentDots independent;
+  int ambiguous = 0;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    hal::Frame frame;
+    ASSERT_EQ(camera.acquire(frame, {}), Status::ok) << camera.problem();
+    const auto dots = independent.find(camera.image());
+    tracker::Tracker<UnstartedMire, double> tracker{*camera_file};  // each frame is the first one
+    const auto estimate = tracker.step(frame.pixels, frame.t_exposure);
+    ASSERT_EQ(estimate.status, tracker::TrackingStatus::initialising) << "frame " << k;
+    if (estimate.reason != tracker::Reason::ambiguous) continue;
+    ++ambiguous;
+    const auto& found = tracker.candidates();
+    ASSERT_EQ(found.size(), 2u) << "frame " << k;
+    const bool turned = farthest_px(tracker, found[0].q, dots, true) < farthest_px(tracker, found[0].q, dots, false);
+    EXPECT_LT(farthest_px(tracker, found[0].q, dots, turned), 1.5) << "frame " << k;
+    EXPECT_LT(farthest_px(tracker, found[1].q, dots, !turned), 1.5) << "frame " << k;
+  }
+  // A blurred frame's dots are too large for the plate, and no pose explains them.
+  EXPECT_GE(ambiguous, 230);
+}
+
 TEST(MireDistance, IdentifiesTheSpacingOfTwoDotsByAVirtualJoint) {
   const auto files = recording();
   if (files.empty()) GTEST_SKIP() << kMissing;
