@@ -32,6 +32,7 @@ auto Acquisition<M, S>::better_than(const Configuration& q, const vision::Detect
   weigh(q, M::kMarkers[kMarkerPairs<M>[0].a].body, ~JointSet{0});
   if (result_.candidates.empty()) return Status::too_few_features;
   const Hypothesis<M, S> given = result_.candidates[0];
+  develop(given.q, given.anchor, 0, kNoJoint);  // its joints anew: marks may have been swapped
   challenge();
   result_.complete = true;
   conclude();

@@ -63,9 +63,10 @@ Vec<S, 2> reach_px(const Feature<S>& feature) noexcept {
           std::sqrt(kGate<S> * (feature.covariance(1, 1) + kLeast))};
 }
 
-/// A mark against a feature. With S = A P A^T + R, R the detection's variance and the unmodelled one, and e the
-/// distance: -2 ln of the normal density is  e^T S^-1 e + ln det S  and a constant, for the centre and likewise for the
-/// size.
+/// A mark against a feature. The size tells markers of different diameter apart; the ratio of a ring's two edges does
+/// not, as the detector seeks one ratio for all rings. With S = A P A^T + R, R the detection's variance and the
+/// unmodelled one, and e the distance: -2 ln of the normal density is  e^T S^-1 e + ln det S  and a constant, for the
+/// centre and likewise for the size.
 template <class S>
 struct Innovation {
   S centre{std::numeric_limits<S>::infinity()};  ///< squared Mahalanobis distance of the centres
