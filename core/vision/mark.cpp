@@ -1,6 +1,6 @@
 #include "core/vision/mark.hpp"
 
-#include <cstdlib>
+#include <cmath>
 
 #include "core/vision/edge_fit.hpp"
 #include "core/vision/ellipse_shape.hpp"
