@@ -6,6 +6,7 @@
 #include "static_models/printer_drawer/printer_drawer.hpp"
 #include "tests/core/vision/circle_scene.hpp"
 #include "tests/support/observe.hpp"
+#include "tests/support/wide_lenses.hpp"
 
 namespace articam {
 namespace {
@@ -13,18 +14,9 @@ namespace {
 using M = models::PrinterDrawer;
 using tracker::FeatureKind;
 
-CameraParameters camera_with(DistortionModel model, const std::array<double, 8>& distortion) {
-  CameraParameters p;
-  p.width_px = 640, p.height_px = 480, p.fx_px = p.fy_px = 410, p.cx_px = 319.5, p.cy_px = 239.5;
-  p.distortion_model = model;
-  p.distortion = distortion;
-  return p;
-}
-
-std::array<CameraParameters, 3> cameras() {
-  return {camera_with(DistortionModel::plumb_bob, {}),
-          camera_with(DistortionModel::plumb_bob, {-0.31, 0.11, 0.0012, -0.0007, -0.018}),
-          camera_with(DistortionModel::equidistant, {-0.02, 0.01, -0.003, 0.001})};
+std::array<CameraParameters, 4> cameras() {
+  const auto [plumb_bob, rational, equidistant] = test::wide_lenses();
+  return {test::camera_with(DistortionModel::plumb_bob, {}), plumb_bob, rational, equidistant};
 }
 
 /// The printer near enough to fill most of the image.
@@ -79,7 +71,7 @@ TEST(Features, ThatArePointsAreAtTheProjectionOfTheCentreAndTheirImageIsStillThe
 TEST(Features, AreNotVisibleWhereTheLensModelEnds) {
   auto q = near_printer();
   q.T_cam_obj.t.x() = 0.6;  // beyond the fold, where the polynomial throws it back into the image
-  const vision::CameraModel<double> folding{camera_with(DistortionModel::plumb_bob, {-0.4})};
+  const vision::CameraModel<double> folding{test::camera_with(DistortionModel::plumb_bob, {-0.4})};
   for (const auto& feature : tracker::predict_features<M, double>(q, folding)) EXPECT_FALSE(feature.visible);
 }
 

@@ -11,27 +11,12 @@
 
 #include "core/vision/imaged_ellipse.hpp"
 #include "tests/core/vision/circle_scene.hpp"
+#include "tests/support/wide_lenses.hpp"
 
 namespace articam {
 namespace {
 
 using vision::PlaneEllipse;
-
-CameraParameters camera_with(DistortionModel model, const std::array<double, 8>& distortion) {
-  CameraParameters p;
-  p.width_px = 640, p.height_px = 480;
-  p.fx_px = 410, p.fy_px = 405, p.cx_px = 322, p.cy_px = 236;
-  p.distortion_model = model;
-  p.distortion = distortion;
-  return p;
-}
-
-/// Wide lenses, 85 degrees across and more.
-std::vector<CameraParameters> lenses() {
-  return {camera_with(DistortionModel::plumb_bob, {-0.31, 0.11, 0.0012, -0.0007, -0.018}),
-          camera_with(DistortionModel::rational_polynomial, {0.6, 0.1, 0.001, -0.001, 0.01, 0.9, 0.2, 0.03}),
-          camera_with(DistortionModel::equidistant, {-0.02, 0.01, -0.003, 0.001})};
-}
 
 /// The circle of 72 px whose image's centre is this pixel, tilted so about x and y.
 vision::Circle<double> large_circle(const vision::CameraModel<double>& camera, const Vec<double, 2>& pixel,
@@ -97,7 +82,7 @@ Vec<double, 2> centre_of_conic(const std::vector<Vec<double, 2>>& edge, const Pl
 /// Calls check(circle's ellipse, camera) all over the image of every lens, at tilts up to 60 degrees.
 template <class Check>
 void everywhere(const Check& check) {
-  for (const auto& p : lenses()) {
+  for (const auto& p : test::wide_lenses()) {
     const vision::CameraModel<double> camera{p};
     for (const auto& pixel : {Vec<double, 2>{322, 236}, {480, 120}, {590, 430}, {50, 50}, {600, 240}}) {
       for (const auto& [tilt_x, tilt_y] : {std::pair{0.0, 0.0}, {0.6, -0.3}, {-0.7, 0.7}, {0.1, 1.0}}) {
@@ -131,7 +116,7 @@ TEST(LensEllipse, HasTheCentreThatOtherFitsFindWithin2Millipixels) {
 }
 
 TEST(LensEllipse, IsTheAffineImageInAPinhole) {
-  const vision::CameraModel<double> camera{camera_with(DistortionModel::plumb_bob, {})};
+  const vision::CameraModel<double> camera{test::camera_with(DistortionModel::plumb_bob, {})};
   PlaneEllipse<double> on_plane{{0.3, -0.2}, Mat<double, 2, 2>::Zero()};
   on_plane.M << 0.05, 0, -0.01, 0.03;
   const auto e = vision::distorted_ellipse(on_plane, camera);
@@ -144,7 +129,7 @@ TEST(LensEllipse, IsTheAffineImageInAPinhole) {
 }
 
 TEST(LensEllipse, IsRefusedBeyondTheLensAndWhereEmpty) {
-  const vision::CameraModel<double> camera{camera_with(DistortionModel::plumb_bob, {-0.5, 0.1})};  // folds at 1
+  const vision::CameraModel<double> camera{test::camera_with(DistortionModel::plumb_bob, {-0.5, 0.1})};  // folds at 1
   const Mat<double, 2, 2> size = 0.1 * Mat<double, 2, 2>::Identity();
   EXPECT_TRUE(vision::distorted_ellipse<double>({{0.7, 0}, size}, camera).ok());
   EXPECT_EQ(vision::distorted_ellipse<double>({{0.95, 0}, size}, camera).status(), Status::outside_domain);

@@ -11,18 +11,10 @@
 #include "core/vision/detector.hpp"
 #include "core/vision/imaged_ellipse.hpp"
 #include "host_sim/world/renderer.hpp"
+#include "tests/support/wide_lenses.hpp"
 
 namespace articam {
 namespace {
-
-CameraParameters camera_with(DistortionModel model, const std::array<double, 8>& distortion) {
-  CameraParameters p;
-  p.width_px = 640, p.height_px = 480;
-  p.fx_px = 410, p.fy_px = 405, p.cx_px = 322, p.cy_px = 236;
-  p.distortion_model = model;
-  p.distortion = distortion;
-  return p;
-}
 
 /// A ring whose centre is seen in this pixel, its image of about this radius, tilted by half a radian.
 vision::Circle<double> ring_at(const Vec<double, 2>& pixel, double radius_px,
@@ -46,9 +38,7 @@ vision::Detections detected(sim::Renderer& renderer, const vision::Circle<double
 // Without noise the detector itself is off by up to 0.01 px in the centre, 0.02 px in an axis; the image of the
 // ellipse's centre would be off by up to 3 px here.
 TEST(WideLens, ShowsRingsToTheDetectorWhereTheyArePredictedAndTheirPosesComeBack) {
-  for (const auto& p : {camera_with(DistortionModel::plumb_bob, {-0.31, 0.11, 0.0012, -0.0007, -0.018}),
-                        camera_with(DistortionModel::rational_polynomial, {0.6, 0.1, 0, 0, 0.01, 0.9, 0.2, 0.03}),
-                        camera_with(DistortionModel::equidistant, {-0.02, 0.01, -0.003, 0.001})}) {
+  for (const auto& p : test::wide_lenses()) {
     const vision::CameraModel<double> camera{p};
     sim::Renderer renderer{p, {.blur_px = 0.7, .noise_grey = 0, .clutter = false}};
     for (const auto& pixel : {Vec<double, 2>{480, 120}, {570, 410}, {60, 60}}) {
