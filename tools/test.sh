@@ -33,11 +33,12 @@ run_tests() {  # PRESET [CTEST_OPTION...]
 there() { for program; do command -v "$program" >/dev/null || return 1; done; }
 
 tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev \
+  libclang-rt-dev `# what fuzzers include and link` \
   liborocos-kdl-dev liburdfdom-dev `# another opinion on URDF` \
   librsvg2-bin poppler-utils `# other eyes on what articam-markers draws` \
   dpkg-dev file `# cpack`
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
-# Each model costs a compiler about 20 s.
+# Each model costs a compiler about 15 s.
 firmware=(--firmware 'PrinterDrawer;SwitchPanel;Stress24')
 computing=(--target articam-bits --target articam-board --target articam-listen --target articam-modelgen
   --target articam-sim --target fuzz_detector --target fuzz_modelgen)
