@@ -32,7 +32,7 @@ mirror=$(apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(SITE)' |
 
 root=$(mktemp -d)
 cleanup() {
-  umount "$root/proc" 2>/dev/null || true
+  umount "$root/proc" "$root/dev/pts" 2>/dev/null || true
   rm -rf --one-file-system "$root"
 }
 trap cleanup EXIT
@@ -46,20 +46,22 @@ inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp TE
 phase "minimal $suite"
 tools/quietly.sh "debootstrap" debootstrap --variant=minbase "$suite" "$root" "$mirror"
 mount -t proc proc "$root/proc"
+mount --bind /dev/pts "$root/dev/pts"  # serial lines are tested on pseudo terminals
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 apt-config dump | grep -E '^Acquire::https?::(Proxy|CAInfo)' >"$root/etc/apt/apt.conf.d/90from-the-host" || true
 # Ubuntu keeps some of the packages in universe; Debian has no such component.
 if grep -qi ubuntu "$root/etc/os-release"; then sed -i 's/ main$/ main universe/' "$root/etc/apt/sources.list"; fi
 
 phase "the checkout: what git knows or would add"
-mkdir "$root/articam"
+checkout=/usr/src/articam
+mkdir -p "$root$checkout"
 git -c safe.directory="$PWD" ls-files -z --cached --others --exclude-standard |
-  tar --create --null --files-from=- --ignore-failed-read | tar --extract --no-same-owner --directory "$root/articam"
+  tar --create --null --files-from=- --ignore-failed-read | tar --extract --no-same-owner --directory "$root$checkout"
 
 failed=0
 while read -r job; do
   phase "$job"
-  inside bash -o pipefail -c "cd /articam && $job" </dev/null || { failed=1; echo "failed: $job"; }
+  inside bash -o pipefail -c "cd $checkout && $job" </dev/null || { failed=1; echo "failed: $job"; }
 done <<'END'
 tools/demo.sh
 tools/setup_cross.sh aarch64 cortex-m7
