@@ -141,8 +141,8 @@ void Acquisition<M, S>::consider() noexcept {
 }
 
 /// From a pose of the anchor body to a whole configuration, joint by joint; one that its own marker does not tell of is
-/// found with the next. Of joint `second_guess` the second best value is taken; a
-/// challenge (anything but kFirstGuesses) does not heed what was tried: mirror images may be less than a radius apart.
+/// found with the next. Of joint `second_guess` the second best value is taken; a challenge (anything but
+/// kFirstGuesses) does not heed what was tried: mirror images may be less than a radius apart.
 template <class M, class S>
 void Acquisition<M, S>::develop(Configuration q, int anchor, JointSet known, int second_guess) noexcept {
   Pairing<M> pairing;
