@@ -1,62 +1,12 @@
 #pragma once
-/// @file  Small symmetric systems: the Cholesky factor of a normal matrix, and the pseudo-inverse.
+/// @file  The pseudo-inverse of a small matrix of any rank.
 
-#include <Eigen/Jacobi>
 #include <cmath>
 #include <limits>
 
 #include "core/math/types.hpp"
-#include "core/status.hpp"
 
 namespace articam::math {
-
-/// H = L D L^T of a symmetric positive definite matrix, N known at compile time.
-template <class S, int N>
-class Cholesky {
- public:
-  /// Reads the lower triangle. Errors  ill_conditioned when a pivot is not positive, or not a number.
-  Status factorise(const Mat<S, N, N>& H) noexcept {
-    for (int j = 0; j < N; ++j) {
-      S d = H(j, j);
-      for (int k = 0; k < j; ++k) d -= L_(j, k) * L_(j, k) * D_[k];
-      if (!(d > std::numeric_limits<S>::min()) || !is_finite(d)) return Status::ill_conditioned;
-      D_[j] = d;
-      const S inverse = S(1) / d;
-      for (int i = j + 1; i < N; ++i) {
-        S l = H(i, j);
-        for (int k = 0; k < j; ++k) l -= L_(i, k) * L_(j, k) * D_[k];
-        L_(i, j) = l * inverse;
-      }
-    }
-    return Status::ok;
-  }
-
-  /// x of H x = b; only after factorise() returned ok.
-  Vec<S, N> solve(Vec<S, N> x) const noexcept {
-    for (int i = 0; i < N; ++i) {
-      for (int k = 0; k < i; ++k) x[i] -= L_(i, k) * x[k];
-    }
-    for (int i = N - 1; i >= 0; --i) {
-      x[i] /= D_[i];
-      for (int k = i + 1; k < N; ++k) x[i] -= L_(k, i) * x[k];
-    }
-    return x;
-  }
-
-  /// H^-1, symmetric to the bit.
-  Mat<S, N, N> inverse() const noexcept {
-    Mat<S, N, N> X;
-    for (int j = 0; j < N; ++j) {
-      const Vec<S, N> x = solve(Vec<S, N>::Unit(j));
-      for (int i = j; i < N; ++i) X(i, j) = X(j, i) = x[i];
-    }
-    return X;
-  }
-
- private:
-  Mat<S, N, N> L_ = Mat<S, N, N>::Identity();
-  Vec<S, N> D_ = Vec<S, N>::Ones();
-};
 
 /// Eigenvalues (in no order) and eigenvectors (columns of V) of a symmetric matrix, by cyclic Jacobi rotations: every
 /// product is a plane rotation, so no size can make Eigen reach for the heap, and the sweeps are counted.
@@ -64,9 +14,10 @@ class Cholesky {
 template <class S, int N>
 struct SymmetricEigen {
   Vec<S, N> values;
-  Mat<S, N, N> V = Mat<S, N, N>::Identity();
+  Mat<S, N, N> V = zeros<Mat<S, N, N>>();
 
   explicit SymmetricEigen(Mat<S, N, N> D) noexcept {
+    for (int i = 0; i < N; ++i) V(i, i) = S(1);
     constexpr int kMaxSweeps = 20;
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
       bool rotated = false;
@@ -75,19 +26,25 @@ struct SymmetricEigen {
       }
       if (!rotated) break;
     }
-    values = D.diagonal();
+    for (int i = 0; i < N; ++i) values[i] = D(i, i);
   }
 
  private:
+  /// D <- J^T D J with the plane rotation that makes D(p, q) zero.
   bool rotate(Mat<S, N, N>& D, int p, int q) noexcept {
     // Below this the rotation would not change a bit of the diagonal.
     const S eps = std::numeric_limits<S>::epsilon();
     if (!(D(p, q) * D(p, q) > eps * eps * std::abs(D(p, p) * D(q, q)) + std::numeric_limits<S>::min())) return false;
-    Eigen::JacobiRotation<S> J;
-    J.makeJacobi(D, p, q);
-    D.applyOnTheLeft(p, q, J.adjoint());
-    D.applyOnTheRight(p, q, J);
-    V.applyOnTheRight(p, q, J);
+    const S tau = (D(q, q) - D(p, p)) / (S(2) * D(p, q));
+    const S t = (tau < S(0) ? S(-1) : S(1)) / (std::abs(tau) + std::sqrt(S(1) + tau * tau));
+    const S cosine = S(1) / std::sqrt(S(1) + t * t), sine = t * cosine;
+    const auto turn = [&](S& a, S& b) {
+      const S kept = a;
+      a = cosine * kept - sine * b, b = sine * kept + cosine * b;
+    };
+    for (int i = 0; i < N; ++i) turn(D(p, i), D(q, i));
+    for (int i = 0; i < N; ++i) turn(D(i, p), D(i, q));
+    for (int i = 0; i < N; ++i) turn(V(i, p), V(i, q));
     return true;
   }
 };
@@ -98,17 +55,39 @@ struct SymmetricEigen {
 /// condition number costs. Singular values below 1e-6 (double; 1e-3 float) of the largest count as zero.
 template <class S, int M, int N>
 Vec<S, N> pseudo_inverse_times(const Mat<S, M, N>& A, const Vec<S, M>& b) noexcept {
-  const SymmetricEigen<S, N> eigen(A.transpose().lazyProduct(A));
-  const S cut = (sizeof(S) == 4 ? S(1e-6) : S(1e-12)) * eigen.values.maxCoeff();
-  const auto apply = [&](const Vec<S, M>& residual) -> Vec<S, N> {
-    const Vec<S, N> projected = A.transpose().lazyProduct(residual);
-    Vec<S, N> y = eigen.V.transpose().lazyProduct(projected);
-    for (int i = 0; i < N; ++i) y[i] = eigen.values[i] > cut ? y[i] / eigen.values[i] : S(0);
-    return eigen.V.lazyProduct(y);
-  };
-  const Vec<S, N> x = apply(b);
-  const Vec<S, M> residual = b - A.lazyProduct(x);
-  return x + apply(residual);
+  Mat<S, N, N> AtA;
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j) {
+      S sum{0};
+      for (int k = 0; k < M; ++k) sum += A(k, i) * A(k, j);
+      AtA(i, j) = sum;
+    }
+  }
+  const SymmetricEigen<S, N> eigen(AtA);
+  S largest{0};
+  for (int i = 0; i < N; ++i) largest = eigen.values[i] > largest ? eigen.values[i] : largest;
+  const S cut = (sizeof(S) == 4 ? S(1e-6) : S(1e-12)) * largest;
+
+  auto x = zeros<Vec<S, N>>();
+  Vec<S, M> residual = b;
+  for (int pass = 0; pass < 2; ++pass) {
+    Vec<S, N> step = zeros<Vec<S, N>>();
+    for (int i = 0; i < N; ++i) {
+      if (!(eigen.values[i] > cut)) continue;
+      S along{0};  // of the eigenvector, V^T A^T residual
+      for (int k = 0; k < M; ++k) {
+        S image{0};
+        for (int j = 0; j < N; ++j) image += A(k, j) * eigen.V(j, i);
+        along += image * residual[k];
+      }
+      for (int j = 0; j < N; ++j) step[j] += eigen.V(j, i) * (along / eigen.values[i]);
+    }
+    for (int j = 0; j < N; ++j) x[j] += step[j];
+    for (int k = 0; k < M; ++k) {
+      for (int j = 0; j < N; ++j) residual[k] -= A(k, j) * step[j];
+    }
+  }
+  return x;
 }
 
 }  // namespace articam::math

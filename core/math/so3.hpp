@@ -23,33 +23,40 @@ Mat<S, 3, 3> hat(const Vec<S, 3>& v) noexcept {
 /// Rotation vector (rad) -> unit quaternion.
 template <class S>
 Quat<S> exp_so3(const Vec<S, 3>& phi) noexcept {
-  const S angle2 = phi.squaredNorm();
-  const S angle = std::sqrt(angle2);
-  S scale, w;  // quaternion (w, scale * phi)
-  if (angle2 < std::sqrt(std::numeric_limits<S>::epsilon())) {
-    // Series of sin(a/2)/a and cos(a/2): the first dropped term is below the last bit.
-    scale = S(0.5) - angle2 * (S(1) / 48 - angle2 / 3840);
-    w = S(1) - angle2 * (S(1) / 8 - angle2 / 384);
+  using T = detail::Trigonometry<S>;
+  const S angle2 = phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2];
+  const S r2 = S(0.25) * angle2;  // of half the angle
+  S scale, w;                     // quaternion (w, scale * phi)
+  if (r2 <= S(0.6)) {             // below pi / 4: sin(r) / r and cos(r) without a root
+    scale = S(0.5) + S(0.5) * (r2 * detail::polynomial(T::kSin, r2));
+    w = (S(1) - S(0.5) * r2) + r2 * r2 * detail::polynomial(T::kCos, r2);
   } else {
+    const S angle = std::sqrt(angle2);
     const auto half = sin_cos(S(0.5) * angle);
     scale = half.sin / angle;
     w = half.cos;
   }
-  return Quat<S>(w, scale * phi.x(), scale * phi.y(), scale * phi.z());
+  return Quat<S>(w, scale * phi[0], scale * phi[1], scale * phi[2]);
 }
 
 /// Unit quaternion -> the shortest rotation vector (rad), |phi| <= pi.
 template <class S>
 Vec<S, 3> log_so3(const Quat<S>& q) noexcept {
+  using T = detail::Trigonometry<S>;
   const S sign = q.w() < S(0) ? S(-1) : S(1);  // q and -q are the same rotation
-  const Vec<S, 3> v = sign * q.vec();
   const S w = sign * q.w();
-  const S sine = v.norm();
-  // atan2(s, w)/s -> 1/w as s -> 0; the next term is -s^2/(3 w^3).
-  const S scale = sine < std::sqrt(std::numeric_limits<S>::epsilon())
-                      ? S(2) / w - S(2) * sine * sine / (S(3) * w * w * w)
-                      : S(2) * atan2(sine, w) / sine;
-  return scale * v;
+  const S sine2 = q.x() * q.x() + q.y() * q.y() + q.z() * q.z();
+  S scale;                         // of half the angle: atan(sine / w) / sine
+  if (sine2 <= S(0.17) * w * w) {  // below tan(pi / 8), without a root
+    const S inverse = S(1) / w;
+    const S z2 = sine2 * inverse * inverse;
+    scale = inverse + inverse * (z2 * detail::polynomial(T::kAtan, z2));
+  } else {
+    const S sine = std::sqrt(sine2);
+    scale = atan2(sine, w) / sine;
+  }
+  const S factor = S(2) * sign * scale;
+  return {factor * q.x(), factor * q.y(), factor * q.z()};
 }
 
 }  // namespace articam::math

@@ -16,6 +16,14 @@ using Quat = Eigen::Quaternion<Scalar>;
 
 namespace math {
 
+/// A matrix of zeros. Eigen's own Zero() is an expression, and costs each size of matrix its classes.
+template <class Matrix>
+Matrix zeros() noexcept {
+  Matrix m;
+  for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = typename Matrix::Scalar(0);
+  return m;
+}
+
 /// Needs no libm: x - x is 0 only of a finite number.
 template <class Scalar>
 constexpr bool is_finite(Scalar x) noexcept {

@@ -13,7 +13,7 @@ namespace articam::model {
 template <class M, class S>
 struct Configuration {
   Pose<S> T_cam_obj{};
-  Vec<S, kNumJoints<M>> joints{Vec<S, kNumJoints<M>>::Zero()};  ///< rad or m, in the table's order
+  Vec<S, kNumJoints<M>> joints = math::zeros<Vec<S, kNumJoints<M>>>();  ///< rad or m, in the table's order
 };
 
 /// Step of size nv = 6 + n, ordered (t, rotation, joints), both in {cam}:
@@ -21,10 +21,12 @@ struct Configuration {
 template <class M, class S>
 Configuration<M, S> integrate(const Configuration<M, S>& q, const Vec<S, kDof<M>>& step) noexcept {
   Configuration<M, S> moved;
-  moved.T_cam_obj.t = q.T_cam_obj.t + step.template head<3>();
-  // One renormalisation keeps the product a unit quaternion over any number of steps.
-  moved.T_cam_obj.R = (math::exp_so3<S>(step.template segment<3>(3)) * q.T_cam_obj.R).normalized();
-  moved.joints = q.joints + step.template tail<kNumJoints<M>>();
+  for (Eigen::Index i = 0; i < 3; ++i) moved.T_cam_obj.t[i] = q.T_cam_obj.t[i] + step[i];
+  // One step of Newton's towards 1 / |R| keeps the product a unit quaternion over any number of steps.
+  const Quat<S> R = math::exp_so3<S>({step[3], step[4], step[5]}) * q.T_cam_obj.R;
+  const S scale = S(1.5) - S(0.5) * (R.w() * R.w() + R.x() * R.x() + R.y() * R.y() + R.z() * R.z());
+  moved.T_cam_obj.R = {scale * R.w(), scale * R.x(), scale * R.y(), scale * R.z()};
+  for (Eigen::Index j = 0; j < kNumJoints<M>; ++j) moved.joints[j] = q.joints[j] + step[6 + j];
   return moved;
 }
 
@@ -32,9 +34,9 @@ Configuration<M, S> integrate(const Configuration<M, S>& q, const Vec<S, kDof<M>
 template <class M, class S>
 Vec<S, kDof<M>> difference(const Configuration<M, S>& from, const Configuration<M, S>& to) noexcept {
   Vec<S, kDof<M>> step;
-  step.template head<3>() = to.T_cam_obj.t - from.T_cam_obj.t;
-  step.template segment<3>(3) = math::log_so3<S>(to.T_cam_obj.R * from.T_cam_obj.R.conjugate());
-  step.template tail<kNumJoints<M>>() = to.joints - from.joints;
+  const Vec<S, 3> turn = math::log_so3<S>(to.T_cam_obj.R * from.T_cam_obj.R.conjugate());
+  for (Eigen::Index i = 0; i < 3; ++i) step[i] = to.T_cam_obj.t[i] - from.T_cam_obj.t[i], step[3 + i] = turn[i];
+  for (Eigen::Index j = 0; j < kNumJoints<M>; ++j) step[6 + j] = to.joints[j] - from.joints[j];
   return step;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/math/se3.hpp"
+#include "core/model/body_places.hpp"
 #include "core/model/model_table.hpp"
 
 namespace articam::model {
@@ -38,74 +39,34 @@ template <class S>
 Vec<S, 3> to_vec(const std::array<double, 3>& a) noexcept {
   return {static_cast<S>(a[0]), static_cast<S>(a[1]), static_cast<S>(a[2])};
 }
+
 template <class S>
-Quat<S> to_quat(const std::array<double, 4>& wxyz) noexcept {
-  return {static_cast<S>(wxyz[0]), static_cast<S>(wxyz[1]), static_cast<S>(wxyz[2]), static_cast<S>(wxyz[3])};
-}
-
-/// {joint} displaced by q, in {joint}.
-template <class S>
-Pose<S> displacement(const JointRow& row, S q) noexcept {
-  const Vec<S, 3> axis = to_vec<S>(row.axis);
-  if (row.kind == JointKind::prismatic) return {Quat<S>(S(1), S(0), S(0), S(0)), axis * q};
-  return {math::exp_so3<S>(axis * q), Vec<S, 3>::Zero()};
-}
-
-/// kMoves<M>[joint][body + 1]: whether the joint stands between the root and the body.
-template <class M>
-constexpr auto joints_above() {
-  std::array<std::array<bool, M::kJoints.size() + 1>, M::kJoints.size() + 1> above{};
-  for (int body = 0; body < kNumBodies<M>; ++body) {
-    for (int joint = body; joint >= 0; joint = M::kJoints[static_cast<std::size_t>(joint)].parent) {
-      above[static_cast<std::size_t>(joint)][static_cast<std::size_t>(body + 1)] = true;
-    }
-  }
-  return above;
-}
-template <class M>
-inline constexpr auto kMoves = joints_above<M>();
-
-/// Where the joint of a row stands.
-template <class M, class S>
-S joint_position(std::size_t row, const Vec<S, kNumJoints<M>>& joints) noexcept {
-  const S value = joints[static_cast<Eigen::Index>(kValueOfRow<M>[row])];
-  const JointRow& joint = M::kJoints[row];
-  return joint.leader < 0 ? value : static_cast<S>(joint.ratio) * value + static_cast<S>(joint.offset);
+Pose<S> to_pose(const BodyPlace<S>& place) noexcept {
+  Mat<S, 3, 3> R;
+  const math::Triple<S>* const axes[]{&place.axes.x, &place.axes.y, &place.axes.z};
+  for (Eigen::Index i = 0; i < 3; ++i) R(0, i) = axes[i]->x, R(1, i) = axes[i]->y, R(2, i) = axes[i]->z;
+  return {Quat<S>(R), math::to_vec(place.origin)};
 }
 
 }  // namespace detail
-
-/// Whether the joint of a row moves the markers of a body (-1: the root, which no joint moves).
-template <class M>
-constexpr bool moves(int joint, int body) noexcept {
-  return detail::kMoves<M>[static_cast<std::size_t>(joint)][static_cast<std::size_t>(body + 1)];
-}
 
 /// Joint values (rad or m, in the order of kValueRows) -> kinematics in {obj}. Cannot fail; values beyond the
 /// limits are taken as they are.
 template <class M, class S>
 Kinematics<M, S> forward_kinematics(const Vec<S, kNumJoints<M>>& joints) noexcept {
+  BodyPlaces<M, S> places;
+  place_bodies<M, S>(math::kSameAxes<S>, joints, places);
   Kinematics<M, S> k;
   for (std::size_t j = 0; j < M::kJoints.size(); ++j) {
-    const JointRow& row = M::kJoints[j];
-    const Pose<S> T_parent_joint{detail::to_quat<S>(row.r_parent_joint_wxyz), detail::to_vec<S>(row.t_parent_joint_m)};
-    const Pose<S> T_obj_joint =
-        row.parent < 0 ? T_parent_joint : k.T_obj_body[static_cast<std::size_t>(row.parent)] * T_parent_joint;
-    const Vec<S, 3> axis = T_obj_joint.R * detail::to_vec<S>(row.axis);
-    k.joint_twist[j] = row.kind == JointKind::prismatic ? Twist<S>{axis, Vec<S, 3>::Zero()}
-                                                        : Twist<S>{T_obj_joint.t.cross(axis), axis};
-    k.T_obj_body[j] = T_obj_joint * detail::displacement<S>(row, detail::joint_position<M, S>(j, joints));
+    const BodyPlace<S>& place = places[j + 1];
+    k.joint_twist[j].linear = to_vec(place.motion.linear);
+    if (M::kJoints[j].kind != JointKind::prismatic) k.joint_twist[j].angular = to_vec(place.motion.angular);
+    k.T_obj_body[j] = detail::to_pose(place);
   }
   for (std::size_t m = 0; m < M::kMarkers.size(); ++m) {
     const MarkerRow& row = M::kMarkers[m];
-    const Vec<S, 3> t = detail::to_vec<S>(row.t_body_m);
-    const Vec<S, 3> n = detail::to_vec<S>(row.normal);
-    k.markers[m] = {t, n};
-    if constexpr (kNumBodies < M >> 0) {
-      if (row.body < 0) continue;
-      const Pose<S>& T_obj_body = k.T_obj_body[static_cast<std::size_t>(row.body)];
-      k.markers[m] = {T_obj_body * t, T_obj_body.R * n};
-    }
+    const BodyPlace<S>& body = places[static_cast<std::size_t>(row.body + 1)];
+    k.markers[m] = {to_vec(place_point(body, row.body < 0, row.t_body_m)), to_vec(along(body.axes, row.normal))};
   }
   return k;
 }

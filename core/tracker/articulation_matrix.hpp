@@ -9,16 +9,16 @@
 namespace articam::tracker {
 
 /// e = s - s_star and A with  edot = A qdot - s_star_dot (paper eq. 3, 4). Marker i has rows 2i and 2i + 1; they are
-/// zero, and so is their variance, where it has no match.
+/// zero where it has no match. The paper's law needs A itself; what has the normal equations only is in
+/// normal_equations.hpp, which never builds it.
 ///
-/// Shapes  e 2p, A 2p x nv, variance p.  Units  metric image plane.
+/// Shapes  e 2p, A 2p x nv.  Units  metric image plane.
 template <class M, class S>
 struct System {
   static constexpr int kRows = 2 * model::kNumMarkers<M>;
   static constexpr int kDof = model::kDof<M>;
-  Vec<S, kRows> e = Vec<S, kRows>::Zero();
-  Mat<S, kRows, kDof> A = Mat<S, kRows, kDof>::Zero();
-  Vec<S, model::kNumMarkers<M>> variance = Vec<S, model::kNumMarkers<M>>::Zero();
+  Vec<S, kRows> e = math::zeros<Vec<S, kRows>>();
+  Mat<S, kRows, kDof> A = math::zeros<Mat<S, kRows, kDof>>();
 };
 
 /// Errors  behind_camera when a matched marker is not in front of the camera; `system` is then not to be used.
@@ -39,9 +39,14 @@ Status stack(const Matches<M, S>& matches, const model::Configuration<M, S>& q, 
     if (!L.ok()) return L.status();
     const auto J = model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body);
     const auto i_row = static_cast<Eigen::Index>(2 * i);
-    system.e.template segment<2>(i_row) = s.value() - matches[i].s_star;
-    system.A.template middleRows<2>(i_row) = -L.value().lazyProduct(J);  // A_i = -L_i J_i
-    system.variance[static_cast<Eigen::Index>(i)] = matches[i].variance;
+    for (Eigen::Index r = 0; r < 2; ++r) {
+      system.e[i_row + r] = s.value()[r] - matches[i].s_star[r];
+      for (Eigen::Index c = 0; c < model::kDof<M>; ++c) {
+        S sum{0};
+        for (Eigen::Index k = 0; k < 6; ++k) sum -= L.value()(r, k) * J(k, c);  // A_i = -L_i J_i
+        system.A(i_row + r, c) = sum;
+      }
+    }
   }
   return Status::ok;
 }

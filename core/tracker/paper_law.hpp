@@ -24,10 +24,13 @@ template <class M, class S>
 Vec<S, model::kDof<M>> control_law(const System<M, S>& system, S lambda,
                                    const Vec<S, System<M, S>::kRows>& s_star_dot) noexcept {
   auto A = system.A;
-  A.template middleCols<3>(3) *= S(2);
-  const Vec<S, System<M, S>::kRows> wanted = s_star_dot - lambda * system.e;
+  Vec<S, System<M, S>::kRows> wanted;
+  for (Eigen::Index r = 0; r < wanted.size(); ++r) {
+    for (Eigen::Index c = 3; c < 6; ++c) A(r, c) *= S(2);
+    wanted[r] = s_star_dot[r] - lambda * system.e[r];
+  }
   Vec<S, model::kDof<M>> rates = math::pseudo_inverse_times<S, System<M, S>::kRows, model::kDof<M>>(A, wanted);
-  rates.template segment<3>(3) *= S(2);
+  for (Eigen::Index c = 3; c < 6; ++c) rates[c] *= S(2);
   return rates;
 }
 
@@ -41,18 +44,18 @@ class PaperIntegrator {
   model::Configuration<M, S> integrate(const model::Configuration<M, S>& q, const Rates& qdot, S period_s) noexcept {
     constexpr int n = model::kNumJoints<M>;
     model::Configuration<M, S> next;
-    const Rates step = (qdot + previous_) * (S(0.5) * period_s);
-    next.T_cam_obj.t = q.T_cam_obj.t + step.template head<3>();
-    const Vec<S, 3> turn = previous_.template segment<3>(3) * period_s;
+    const auto step = [&](Eigen::Index i) { return (qdot[i] + previous_[i]) * (S(0.5) * period_s); };
+    for (Eigen::Index i = 0; i < 3; ++i) next.T_cam_obj.t[i] = q.T_cam_obj.t[i] + step(i);
+    const Vec<S, 3> turn{previous_[3] * period_s, previous_[4] * period_s, previous_[5] * period_s};
     next.T_cam_obj.R = math::exp_so3<S>(turn) * q.T_cam_obj.R;
-    next.joints = q.joints + step.template tail<n>();
+    for (Eigen::Index j = 0; j < n; ++j) next.joints[j] = q.joints[j] + step(6 + j);
     previous_ = qdot;
     return next;
   }
-  void reset() noexcept { previous_.setZero(); }
+  void reset() noexcept { previous_ = math::zeros<Rates>(); }
 
  private:
-  Rates previous_ = Rates::Zero();
+  Rates previous_ = math::zeros<Rates>();
 };
 
 }  // namespace articam::tracker

@@ -177,13 +177,13 @@ void Tracker<Model, Scalar>::paper_step() noexcept {
   System<Model, Scalar> system;
   found_.solution.status = stack(matches_, q_, FeatureKind::point, system);
   if (found_.solution.status != Status::ok || count<Model, Scalar>(matches_) == 0) return;
-  found_.solution.error_norm = system.e.norm();
   // The covariance is of our making: the paper gives none.
-  const auto normal = normal_equations(system, Vec<Scalar, kDof>(Vec<Scalar, kDof>::Zero()), motion_.prior().variance);
-  math::Cholesky<Scalar, kDof> cholesky;
-  found_.solution.status = cholesky.factorise(normal.H);
+  Normal<Model, Scalar> normal = linearise(matches_, q_, FeatureKind::point);
+  found_.solution.error_norm = std::sqrt(normal.error2);
+  if (normal.status == Status::ok) add_prior({q_, motion_.prior().variance}, q_, normal);
+  found_.solution.status =
+      normal.status == Status::ok ? invert<Model, Scalar>(normal.H, found_.solution.covariance) : normal.status;
   if (found_.solution.status != Status::ok) return;
-  found_.solution.covariance = cholesky.inverse();
   found_.solution.chi2 = normal.chi2;
 
   Rows s_star_dot = Rows::Zero();

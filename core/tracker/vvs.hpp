@@ -1,33 +1,16 @@
 #pragma once
 /// @file  Virtual visual servoing iterated to convergence inside one frame: the default solver.
 
-#include "core/math/least_squares.hpp"
-#include "core/math/robust_weights.hpp"
-#include "core/tracker/articulation_matrix.hpp"
+#include <cmath>
+
+#include "core/tracker/normal_equations.hpp"
 
 namespace articam::tracker {
-
-/// Where the configuration is expected before the frame is looked at.
-template <class M, class S>
-struct Prior {
-  model::Configuration<M, S> mean{};
-  Vec<S, model::kDof<M>> variance = Vec<S, model::kDof<M>>::Ones();  ///< m^2, rad^2
-};
-
-/// The normal equations of one step:  H step = -g, and the cost at the configuration they were built at.
-template <class M, class S>
-struct Normal {
-  Mat<S, model::kDof<M>, model::kDof<M>> H;
-  Vec<S, model::kDof<M>> g;
-  S cost{};
-  S chi2{};        ///< the measurements' part without robust weights
-  S error_norm{};  ///< ||e||, metric image plane
-};
 
 template <class M, class S>
 struct Solution {
   model::Configuration<M, S> q{};
-  Mat<S, model::kDof<M>, model::kDof<M>> covariance = Mat<S, model::kDof<M>, model::kDof<M>>::Identity();
+  Mat<S, model::kDof<M>, model::kDof<M>> covariance = math::zeros<Mat<S, model::kDof<M>, model::kDof<M>>>();
   Status status{Status::ill_conditioned};
   bool converged{};
   int iterations{};
@@ -36,56 +19,47 @@ struct Solution {
   S error_norm{};  ///< ||e|| at the start
 };
 
-/// H = A^T W A + P^-1 and g = A^T W e + P^-1 (q - q_prior), with Huber weights of the 2-D distances inside W.
-template <class M, class S>
-Normal<M, S> normal_equations(const System<M, S>& system, const Vec<S, model::kDof<M>>& from_prior,
-                              const Vec<S, model::kDof<M>>& prior_variance) noexcept {
-  constexpr int kDof = model::kDof<M>;
-  Normal<M, S> normal;
-  normal.error_norm = system.e.norm();
-  const Vec<S, kDof> information = prior_variance.cwiseInverse();
-  normal.H = information.asDiagonal();
-  normal.g = information.cwiseProduct(from_prior);
-  normal.cost = S(0.5) * from_prior.dot(normal.g);
-  for (int i = 0; i < model::kNumMarkers<M>; ++i) {
-    if (!(system.variance[i] > S(0))) continue;
-    const S certainty = S(1) / system.variance[i];
-    const Vec<S, 2> e = system.e.template segment<2>(2 * i);
-    const S distance2 = e.squaredNorm() * certainty;
-    // k = 3: the 2-D distance of a good match exceeds it once in 90 (Rayleigh).
-    const S weight = math::huber_weight(distance2, S(3)) * certainty;
-    normal.cost += math::huber_loss(distance2, S(3));
-    normal.chi2 += distance2;
-    const Mat<S, 2, kDof> A_i = system.A.template middleRows<2>(2 * i);
-    for (int c = 0; c < kDof; ++c) {
-      const Vec<S, 2> column = A_i.col(c) * weight;
-      normal.g[c] += column.dot(e);
-      for (int r = c; r < kDof; ++r) normal.H(r, c) += column.dot(A_i.col(r));  // lower triangle
-    }
-  }
-  return normal;
-}
-
-/// The equations of one step at q. Errors  behind_camera; `normal` is then unchanged.
-template <class M, class S>
-Status linearise(const Matches<M, S>& matches, const Prior<M, S>& prior, const model::Configuration<M, S>& q,
-                 Normal<M, S>& normal) noexcept {
-  System<M, S> system;
-  if (const Status status = stack(matches, q, FeatureKind::imaged_circle, system); status != Status::ok) return status;
-  normal = normal_equations(system, model::difference(prior.mean, q), prior.variance);
-  return Status::ok;
-}
-
 /// The Gauss-Newton step, its diagonal raised by the damping (Levenberg, Marquardt): (5) with lambda = 1 and the
 /// pseudo-inverse weighted. Errors  ill_conditioned; `step` is then unchanged.
 template <class M, class S>
 Status damped_step(const Normal<M, S>& normal, S damping, Vec<S, model::kDof<M>>& step) noexcept {
-  Mat<S, model::kDof<M>, model::kDof<M>> damped = normal.H;
-  damped.diagonal() *= S(1) + damping;
-  math::Cholesky<S, model::kDof<M>> cholesky;
-  if (const Status status = cholesky.factorise(damped); status != Status::ok) return status;
-  step = -cholesky.solve(normal.g);
+  math::TreeFactor<model::UnknownTree<M>, S> factor;
+  if (const Status status = factor.factorise(normal.H, damping); status != Status::ok) return status;
+  for (std::size_t i = 0; i < normal.b.size(); ++i) step[static_cast<Eigen::Index>(i)] = normal.b[i];
+  factor.solve(step.data());
   return Status::ok;
+}
+
+/// H^-1, symmetric to the bit. Errors  ill_conditioned; `covariance` is then unchanged.
+template <class M, class S>
+Status invert(const math::TreeMatrix<model::UnknownTree<M>, S>& H,
+              Mat<S, model::kDof<M>, model::kDof<M>>& covariance) noexcept {
+  math::TreeFactor<model::UnknownTree<M>, S> factor;
+  if (const Status status = factor.factorise(H); status != Status::ok) return status;
+  for (int j = 0; j < model::kDof<M>; ++j) {
+    std::array<S, static_cast<std::size_t>(model::kDof<M>)> x{};
+    x[static_cast<std::size_t>(j)] = S(1);
+    factor.solve(x.data());
+    for (int i = j; i < model::kDof<M>; ++i) covariance(i, j) = covariance(j, i) = x[static_cast<std::size_t>(i)];
+  }
+  return Status::ok;
+}
+
+/// step^T H step = step^T b of an undamped step.
+template <class M, class S>
+S decrement(const Normal<M, S>& normal, const Vec<S, model::kDof<M>>& step) noexcept {
+  S sum{};
+  for (std::size_t i = 0; i < normal.b.size(); ++i) sum += step[static_cast<Eigen::Index>(i)] * normal.b[i];
+  return sum;
+}
+
+/// The equations of one step at q, matches and prior.
+template <class M, class S>
+Normal<M, S> linearise(const Matches<M, S>& matches, const Prior<M, S>& prior,
+                       const model::Configuration<M, S>& q) noexcept {
+  Normal<M, S> normal = linearise(matches, q);
+  if (normal.status == Status::ok) add_prior(prior, q, normal);
+  return normal;
 }
 
 /// Minimises  1/2 sum rho(|e_i|^2 / sigma_i^2) + 1/2 |q - q_prior|^2_P  by damped steps, each kept only if it does not
@@ -99,10 +73,10 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
   constexpr S kRelative = sizeof(S) == 4 ? S(1e-4) : S(1e-10), kAbsolute = sizeof(S) == 4 ? S(1e-2) : S(1e-9);
   Solution<M, S> solution;
   solution.q = start;
-  Normal<M, S> normal, trial;
-  solution.status = linearise(matches, prior, start, normal);
+  Normal<M, S> normal = linearise(matches, prior, start);
+  solution.status = normal.status;
   if (solution.status != Status::ok) return solution;
-  solution.error_norm = normal.error_norm;
+  solution.error_norm = std::sqrt(normal.error2);
 
   S damping{0};
   while (solution.iterations < max_iterations && !solution.converged) {
@@ -111,11 +85,11 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
     bool better = false;
     if (damped_step<M, S>(normal, damping, step) == Status::ok) {
       const auto q = model::integrate<M, S>(solution.q, step);
-      better = linearise(matches, prior, q, trial) == Status::ok &&
-               trial.cost <= normal.cost * (S(1) + kRelative) + kAbsolute;
+      const Normal<M, S> trial = linearise(matches, prior, q);
+      better = trial.status == Status::ok && trial.cost <= normal.cost * (S(1) + kRelative) + kAbsolute;
       if (better) {
         // step^T H step; a step that damping holds back tells nothing
-        solution.converged = damping <= S(1e-3) && -step.dot(normal.g) < kStill * kStill;
+        solution.converged = damping <= S(1e-3) && decrement<M, S>(normal, step) < kStill * kStill;
         solution.q = q;
         normal = trial;
       }
@@ -124,9 +98,7 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
   }
   solution.cost = normal.cost;
   solution.chi2 = normal.chi2;
-  math::Cholesky<S, model::kDof<M>> cholesky;
-  solution.status = cholesky.factorise(normal.H);
-  if (solution.status == Status::ok) solution.covariance = cholesky.inverse();
+  solution.status = invert<M, S>(normal.H, solution.covariance);
   return solution;
 }
 

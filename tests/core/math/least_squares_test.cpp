@@ -16,40 +16,6 @@ Mat<double, M, N> random_matrix(test::Random& random) {
   return A;
 }
 
-TEST(Cholesky, SolvesAndInvertsANormalMatrix) {
-  test::Random random{21};
-  for (int i = 0; i < 100; ++i) {
-    const auto A = random_matrix<12, 8>(random);
-    const Mat<double, 8, 8> H = A.transpose() * A;
-    const Vec<double, 8> x = random.vector<double, 8>(-1, 1);
-    math::Cholesky<double, 8> cholesky;
-    ASSERT_EQ(cholesky.factorise(H), Status::ok);
-    EXPECT_LT((cholesky.solve(H * x) - x).norm(), 1e-10);  // condition up to about 1e4
-    const auto inverse = cholesky.inverse();
-    EXPECT_LT((inverse * H - Mat<double, 8, 8>::Identity()).norm(), 1e-9);
-    EXPECT_TRUE(inverse == inverse.transpose());
-  }
-}
-
-TEST(Cholesky, ReadsTheLowerTriangleOnly) {
-  Mat<double, 2, 2> H;
-  H << 4, 99, 2, 3;
-  math::Cholesky<double, 2> cholesky;
-  ASSERT_EQ(cholesky.factorise(H), Status::ok);
-  EXPECT_LT((cholesky.solve({8, 7}) - Vec<double, 2>{1.25, 1.5}).norm(), 1e-15);
-}
-
-TEST(Cholesky, RefusesAMatrixThatIsNotPositiveDefiniteOrNotANumber) {
-  math::Cholesky<double, 2> cholesky;
-  Mat<double, 2, 2> H;
-  H << 1, 2, 2, 1;
-  EXPECT_EQ(cholesky.factorise(H), Status::ill_conditioned);
-  H << 1, 0, std::numeric_limits<double>::quiet_NaN(), 1;
-  EXPECT_EQ(cholesky.factorise(H), Status::ill_conditioned);
-  H.setZero();
-  EXPECT_EQ(cholesky.factorise(H), Status::ill_conditioned);
-}
-
 TEST(PseudoInverse, EqualsThatOfTheSvdForAnyRank) {
   test::Random random{22};
   for (int rank = 1; rank <= 8; ++rank) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/model/unknown_tree.hpp"
 #include "tests/support/random_state.hpp"
 #include "tests/support/test_arm.hpp"
 

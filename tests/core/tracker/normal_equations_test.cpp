@@ -1,0 +1,188 @@
+#include "core/tracker/normal_equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "core/tracker/vvs.hpp"
+#include "static_models/registry.hpp"
+#include "tests/support/observe.hpp"
+#include "tests/support/test_arm.hpp"
+
+namespace articam {
+namespace {
+
+using tracker::FeatureKind;
+
+/// What the equations are, from the dense A of articulation_matrix.hpp, in double.
+template <class M>
+struct Dense {
+  static constexpr int kDof = model::kDof<M>;
+  Mat<double, kDof, kDof> H = Mat<double, kDof, kDof>::Zero();
+  Vec<double, kDof> b = Vec<double, kDof>::Zero();
+  double cost{}, chi2{}, error2{};
+
+  Dense(const tracker::Matches<M, double>& matches, const model::Configuration<M, double>& q, FeatureKind kind) {
+    tracker::System<M, double> system;
+    EXPECT_EQ(stack(matches, q, kind, system), Status::ok);
+    for (int i = 0; i < model::kNumMarkers<M>; ++i) {
+      const auto& match = matches[static_cast<std::size_t>(i)];
+      if (!match.matched) continue;
+      const Vec<double, 2> e = system.e.template segment<2>(2 * i);
+      const Mat<double, 2, kDof> A = system.A.template middleRows<2>(2 * i);
+      const double distance2 = e.squaredNorm() / match.variance;
+      const double weight = math::huber_weight(distance2, 3.0) / match.variance;
+      H += weight * A.transpose() * A;
+      b -= weight * A.transpose() * e;
+      cost += math::huber_loss(distance2, 3.0);
+      chi2 += distance2;
+      error2 += e.squaredNorm();
+    }
+  }
+};
+
+template <class M>
+Mat<double, model::kDof<M>, model::kDof<M>> dense(const math::TreeMatrix<model::UnknownTree<M>, double>& H) {
+  Mat<double, model::kDof<M>, model::kDof<M>> full;
+  for (int i = 0; i < full.rows(); ++i) {
+    for (int j = 0; j < full.cols(); ++j) full(i, j) = H(i, j);
+  }
+  return full;
+}
+
+/// Matches of a configuration near q, some far off, some missing.
+template <class M>
+tracker::Matches<M, double> disturbed_matches(const model::Configuration<M, double>& q, FeatureKind kind,
+                                              test::Random& random) {
+  auto matches = test::observe<M, double>(q, kind, 2.0, &random);
+  for (auto& match : matches) {
+    if (random.uniform(0, 1) < 0.2) match.s_star += Vec<double, 2>{0.05, -0.08};  // beyond Huber's k
+    if (random.uniform(0, 1) < 0.2) match.matched = false;
+  }
+  return matches;
+}
+
+template <class M>
+class NormalEquations : public testing::Test {};
+using Models = testing::Types<models::PrinterDrawer, models::Mire, models::MireDistance, models::Door, models::Valve,
+                              models::SteeringWheel, models::Cabinet, models::Laptop, models::SwitchPanel, models::Arm7,
+                              models::Stress24, test::Arm, test::GearedArm>;
+TYPED_TEST_SUITE(NormalEquations, Models);
+
+TYPED_TEST(NormalEquations, AreThoseOfTheDenseArticulationMatrix) {
+  using M = TypeParam;
+  test::Random random{31};
+  for (const auto kind : {FeatureKind::point, FeatureKind::imaged_circle}) {
+    for (int i = 0; i < 20; ++i) {
+      const auto q = random.configuration<M, double>();
+      const auto matches = disturbed_matches<M>(q, kind, random);
+      const auto normal = tracker::linearise(matches, q, kind);
+      ASSERT_EQ(normal.status, Status::ok);
+      const Dense<M> expected{matches, q, kind};
+      // Some tens of roundings of entries of that size.
+      EXPECT_LT((dense<M>(normal.H) - expected.H).norm(), 1e-13 * expected.H.norm());
+      const Vec<double, model::kDof<M>> b = Eigen::Map<const Vec<double, model::kDof<M>>>(normal.b.data());
+      EXPECT_LT((b - expected.b).norm(), 1e-12 * std::sqrt(expected.H.norm() * expected.chi2));
+      EXPECT_NEAR(normal.cost, expected.cost, 1e-12 * expected.cost);
+      EXPECT_NEAR(normal.chi2, expected.chi2, 1e-12 * expected.chi2);
+      EXPECT_NEAR(normal.error2, expected.error2, 1e-12 * expected.error2);
+    }
+  }
+}
+
+TYPED_TEST(NormalEquations, HaveTheFallingSlopeOfTheCost) {
+  using M = TypeParam;
+  constexpr double h = 1e-6;
+  test::Random random{32};
+  for (int i = 0; i < 5; ++i) {
+    const auto q = random.configuration<M, double>();
+    const auto matches = disturbed_matches<M>(q, FeatureKind::imaged_circle, random);
+    const auto normal = tracker::linearise(matches, q);
+    double scale = 1;
+    for (const double b : normal.b) scale = std::max(scale, std::abs(b));
+    for (int c = 0; c < model::kDof<M>; ++c) {
+      const Vec<double, model::kDof<M>> step = h * Vec<double, model::kDof<M>>::Unit(c);
+      const double rise = tracker::linearise(matches, model::integrate<M, double>(q, step)).cost -
+                          tracker::linearise(matches, model::integrate<M, double>(q, -step)).cost;
+      EXPECT_NEAR(normal.b[static_cast<std::size_t>(c)], -rise / (2 * h), 1e-5 * scale) << "unknown " << c;
+    }
+  }
+}
+
+TYPED_TEST(NormalEquations, GiveTheCovarianceThatIsTheInverseOfTheDenseMatrix) {
+  using M = TypeParam;
+  using Square = Mat<double, model::kDof<M>, model::kDof<M>>;
+  test::Random random{33};
+  for (int i = 0; i < 10; ++i) {
+    const auto q = random.configuration<M, double>();
+    const auto matches = disturbed_matches<M>(q, FeatureKind::imaged_circle, random);
+    const tracker::Prior<M, double> prior{q, Vec<double, model::kDof<M>>::Constant(0.01)};
+    const auto normal = tracker::linearise(matches, prior, q);
+    Square covariance;
+    ASSERT_EQ((tracker::invert<M, double>(normal.H, covariance)), Status::ok);
+    const Square H = Dense<M>{matches, q, FeatureKind::imaged_circle}.H + 100 * Square::Identity();
+    EXPECT_LT((H * covariance - Square::Identity()).norm(), 1e-8);  // condition up to 1e6
+    EXPECT_TRUE(covariance == covariance.transpose());
+  }
+}
+
+TYPED_TEST(NormalEquations, AreTheSameInFloat) {
+  using M = TypeParam;
+  test::Random random{34};
+  for (int i = 0; i < 10; ++i) {
+    const auto q = random.configuration<M, double>();
+    const auto matches = disturbed_matches<M>(q, FeatureKind::imaged_circle, random);
+    tracker::Matches<M, float> matches_f{};
+    for (std::size_t m = 0; m < matches.size(); ++m) {
+      matches_f[m].matched = matches[m].matched;
+      matches_f[m].s_star = matches[m].s_star.template cast<float>();
+      matches_f[m].variance = static_cast<float>(matches[m].variance);
+    }
+    model::Configuration<M, float> q_f;
+    q_f.T_cam_obj = {q.T_cam_obj.R.template cast<float>(), q.T_cam_obj.t.template cast<float>()};
+    q_f.joints = q.joints.template cast<float>();
+    const auto normal = tracker::linearise(matches, q);
+    const auto normal_f = tracker::linearise(matches_f, q_f);
+    const auto H = dense<M>(normal.H);
+    for (int r = 0; r < model::kDof<M>; ++r) {
+      for (int c = 0; c <= r; ++c) {
+        // Cauchy and Schwarz bound an entry by its diagonal's; the rest is rounding of what a joint leaves of terms of
+        // the matrix's size.
+        const double size = std::sqrt(std::abs(normal.H(r, r) * normal.H(c, c)));
+        EXPECT_NEAR(normal_f.H(r, c), normal.H(r, c), 2e-5 * size + 1e-6 * H.norm()) << r << ' ' << c;
+      }
+    }
+  }
+}
+
+TYPED_TEST(NormalEquations, SayThatTheObjectIsBehindTheCamera) {
+  using M = TypeParam;
+  test::Random random{35};
+  auto q = random.configuration<M, double>();
+  const auto matches = test::observe<M, double>(q, FeatureKind::imaged_circle);
+  for (const double z : {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    q.T_cam_obj.t.z() = z;
+    EXPECT_EQ(tracker::linearise(matches, q).status, Status::behind_camera);
+  }
+}
+
+TEST(NormalEquationsStep, LeavesItsOutputAloneWhereTheMatrixIsSingularOrNotANumber) {
+  using M = models::PrinterDrawer;
+  const auto q = test::nominal_printer<M, double>();
+  auto matches = test::observe<M, double>(q, FeatureKind::imaged_circle);
+  matches[5].matched = false;  // the only marker that marker_distance moves
+  Vec<double, 8> step = Vec<double, 8>::Constant(7);
+  Mat<double, 8, 8> covariance = Mat<double, 8, 8>::Constant(7);
+  const auto singular = tracker::linearise(matches, q);
+  EXPECT_EQ((tracker::damped_step<M, double>(singular, 0.0, step)), Status::ill_conditioned);
+  EXPECT_EQ((tracker::invert<M, double>(singular.H, covariance)), Status::ill_conditioned);
+  matches = test::observe<M, double>(q, FeatureKind::imaged_circle);
+  matches[2].variance = std::numeric_limits<double>::infinity();
+  matches[2].s_star.x() = std::numeric_limits<double>::quiet_NaN();
+  const auto not_a_number = tracker::linearise(matches, q);
+  EXPECT_EQ((tracker::damped_step<M, double>(not_a_number, 0.0, step)), Status::ill_conditioned);
+  EXPECT_TRUE((step.array() == 7).all() && (covariance.array() == 7).all());
+}
+
+}  // namespace
+}  // namespace articam
