@@ -19,6 +19,16 @@
 
 namespace articam::math {
 
+/// Unknowns that all depend on each other: their tree is one chain.
+template <int N>
+struct Chain {
+  static constexpr auto kParent = [] {
+    std::array<std::int16_t, static_cast<std::size_t>(N)> parent{};
+    for (std::size_t k = 0; k < parent.size(); ++k) parent[k] = static_cast<std::int16_t>(static_cast<int>(k) - 1);
+    return parent;
+  }();
+};
+
 /// Where the entries of a tree's matrices are stored, and the operations that factorise one, all known at compile time.
 template <class Tree>
 struct TreePattern {
@@ -236,5 +246,31 @@ class TreeFactor {
   Entries L_;
   std::array<S, static_cast<std::size_t>(kSize)> inverse_D_;
 };
+
+/// H^-1, symmetric to the bit. Errors  ill_conditioned; `inverse` is then unchanged.
+template <class Tree, class S>
+Status invert(const TreeMatrix<Tree, S>& H,
+              Mat<S, TreePattern<Tree>::kSize, TreePattern<Tree>::kSize>& inverse) noexcept {
+  constexpr int kSize = TreePattern<Tree>::kSize;
+  TreeFactor<Tree, S> factor;
+  if (const Status status = factor.factorise(H); status != Status::ok) return status;
+  for (int j = 0; j < kSize; ++j) {
+    std::array<S, static_cast<std::size_t>(kSize)> x{};
+    x[static_cast<std::size_t>(j)] = S(1);
+    factor.solve(x.data());
+    for (int i = j; i < kSize; ++i) inverse(i, j) = inverse(j, i) = x[static_cast<std::size_t>(i)];
+  }
+  return Status::ok;
+}
+
+/// The same of a symmetric matrix, whose lower triangle is read.
+template <class S, int N>
+Status invert(const Mat<S, N, N>& H, Mat<S, N, N>& inverse) noexcept {
+  TreeMatrix<Chain<N>, S> packed;
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j <= i; ++j) packed.at(i, j) = H(i, j);
+  }
+  return invert(packed, inverse);
+}
 
 }  // namespace articam::math

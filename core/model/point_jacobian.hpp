@@ -3,7 +3,7 @@
 
 #include "core/model/configuration.hpp"
 #include "core/model/forward_kinematics.hpp"
-#include "core/model/unknown_tree.hpp"
+#include "core/model/joint_paths.hpp"
 
 namespace articam::model {
 

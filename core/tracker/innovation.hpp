@@ -26,11 +26,11 @@ inline constexpr S kGate = S(16.27);
 template <class S>
 inline constexpr S kMaxReach_px = S(160);
 
-/// Sets every visible feature's covariance: A P A^T, P being the variances of the configuration (m^2, rad^2). The
-/// lens's part in A, a few percent of it, is left out.
+/// Sets every visible feature's covariance: A P A^T, P being the configuration's (m, rad). The lens's part in A, a few
+/// percent of it, is left out.
 template <class M, class S>
 void spread_features(const model::Configuration<M, S>& q, const vision::CameraModel<S>& camera,
-                     const Vec<S, model::kDof<M>>& P, Features<M, S>& features) noexcept {
+                     const Mat<S, model::kDof<M>, model::kDof<M>>& P, Features<M, S>& features) noexcept {
   const auto kinematics = model::forward_kinematics<M, S>(q.joints);
   for (std::size_t i = 0; i < features.size(); ++i) {
     Feature<S>& feature = features[i];
@@ -46,7 +46,7 @@ void spread_features(const model::Configuration<M, S>& q, const vision::CameraMo
         per_m00 * L_ellipse.value().row(2) + per_m11 * L_ellipse.value().row(4);
     L *= camera.focal_px();
     const Mat<S, 3, model::kDof<M>> A = L.lazyProduct(model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body));
-    const Mat<S, 3, model::kDof<M>> AP = A * P.asDiagonal();
+    const Mat<S, 3, model::kDof<M>> AP = A.lazyProduct(P);
     feature.covariance = AP.template topRows<2>().lazyProduct(A.template topRows<2>().transpose());
     feature.size_variance = AP.row(2).dot(A.row(2));
     const S most = kMaxReach_px<S> * kMaxReach_px<S> / kGate<S>, trace = feature.covariance.trace();

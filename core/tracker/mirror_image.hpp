@@ -6,26 +6,28 @@
 
 namespace articam::tracker {
 
+/// These variances (m^2, rad^2) for the pose, and for the joints those of an even distribution over their range.
+template <class M, class S>
+Vec<S, model::kDof<M>> pose_and_range(S place, S turn) noexcept {
+  Vec<S, model::kDof<M>> variance;
+  for (int i = 0; i < 6; ++i) variance[i] = i < 3 ? place : turn;
+  for (int j = 0; j < model::kNumJoints<M>; ++j) {
+    const S length = joint_range<M, S>(j).length();
+    variance[6 + j] = length * length / S(12) + S(1e-6);
+  }
+  return variance;
+}
+
 /// A wide prior about q for the pose, and for the joints their range.
 template <class M, class S>
 Prior<M, S> open_prior(const model::Configuration<M, S>& q) noexcept {
-  Prior<M, S> prior{q, {}};
-  prior.variance.template head<3>().setConstant(S(0.25));  // 0.5 m
-  prior.variance.template segment<3>(3).setConstant(S(1));
-  for (int j = 0; j < model::kNumJoints<M>; ++j) {
-    const S length = joint_range<M, S>(j).length();
-    prior.variance[6 + j] = length * length / S(12) + S(1e-6);
-  }
-  return prior;
+  return independent_prior<M, S>(q, pose_and_range<M, S>(S(0.25), S(1)));  // 0.5 m
 }
 
 /// A prior that holds what few marks leave open: a pose from two marks is known to some centimetres and degrees.
 template <class M, class S>
 Prior<M, S> held_prior(const model::Configuration<M, S>& q) noexcept {
-  Prior<M, S> prior = open_prior<M, S>(q);
-  prior.variance.template head<3>().setConstant(S(0.0025));    // 5 cm
-  prior.variance.template segment<3>(3).setConstant(S(0.04));  // 0.2 rad
-  return prior;
+  return independent_prior<M, S>(q, pose_and_range<M, S>(S(0.0025), S(0.04)));  // 5 cm, 0.2 rad
 }
 
 /// The configuration whose depths about the middle of its paired markers are reversed: for markers in one plane of

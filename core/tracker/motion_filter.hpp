@@ -17,8 +17,8 @@
 /// Source  Bar-Shalom, Li, Kirubarajan, "Estimation with applications to tracking and navigation", 2001, section 6.2
 ///         (white-noise acceleration); the update is that of a Kalman filter whose measurement does not see qdot.
 
+#include "core/math/types.hpp"
 #include "core/model/configuration.hpp"
-#include "core/status.hpp"
 
 namespace articam::tracker {
 

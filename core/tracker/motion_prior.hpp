@@ -2,131 +2,139 @@
 /// @file  Between two frames: where the object is expected, how surely, and how fast it moves.
 
 #include "core/timestamp.hpp"
+#include "core/tracker/motion_filter.hpp"
 #include "core/tracker/options.hpp"
-#include "core/tracker/tracking_status.hpp"
 #include "core/tracker/vvs.hpp"
 
 namespace articam::tracker {
 
-/// Constant velocity for the mean. Its standard deviation is what the last frame left and grows at Options::growth_*,
-/// which bears changes of speed; as a prior for the next frame it never falls below Options::prior_*.
+/// The options' number for each degree of freedom.
+template <class M, class S>
+Vec<S, model::kDof<M>> per_freedom(const PerFreedom& sorts) noexcept {
+  Vec<S, model::kDof<M>> each;
+  for (int i = 0; i < 6; ++i) each[i] = static_cast<S>(i < 3 ? sorts.base_m : sorts.base_rad);
+  for (int j = 0; j < model::kNumJoints<M>; ++j) {
+    const bool slides = model::kValueRows<M>[static_cast<std::size_t>(j)].kind == model::JointKind::prismatic;
+    each[6 + j] = static_cast<S>(slides ? sorts.slide_m : sorts.turn_rad);
+  }
+  return each;
+}
+
+/// The motion filter with a clock and with bounds: time that stands or leaps, what is forgotten, joint limits.
 template <class M, class S>
 class MotionPrior {
  public:
   static constexpr int kDof = model::kDof<M>;
   using Rates = Vec<S, kDof>;
+  using Square = Mat<S, kDof, kDof>;
   using Configuration = model::Configuration<M, S>;
 
-  explicit MotionPrior(const Options& options) noexcept : options_{options} {}
+  explicit MotionPrior(const Options& options) noexcept
+      : max_gap_s_{options.max_gap_s},
+        density_{squared(per_freedom<M, S>(options.acceleration))},
+        most_{squared(per_freedom<M, S>(options.start))},
+        most_rate_{squared(per_freedom<M, S>(options.start_rate))} {
+    restart({});
+  }
 
   void start(const Configuration& q0) noexcept {
     restart(q0);
     has_time_ = false;
   }
 
-  /// Moves the prior to time t. Returns the span since the last frame, s; 0 where it is not to be integrated
-  /// (first frame, clock not ahead, gap longer than Options::max_gap_s).
+  /// Moves the prior to time t. Returns the span since the last frame, s; 0 where it is not to be integrated (first
+  /// frame, clock not ahead, gap longer than Options::max_gap_s): the rates are then forgotten, and after such a gap
+  /// how near the mean is, too.
   S advance(Timestamp t) noexcept {
     const double span_s = has_time_ ? seconds_between(t_, t) : 0.0;
-    const S elapsed_s = static_cast<S>(span_s > 0 ? span_s : 0);
-    const bool integrated = span_s > 0 && span_s <= options_.max_gap_s;
+    const bool integrated = span_s > 0 && span_s <= max_gap_s_;
     t_ = t, has_time_ = true;
-    if (integrated && !rates_.isZero(0)) {  // at rest q keeps its bits
-      const Rates step = rates_ * elapsed_s;
-      q_ = within_limits(model::integrate<M, S>(q_, step));
+    if (integrated) {
+      tracker::advance<M, S>(motion_, static_cast<S>(span_s), density_);
+      hold_limits();
+      forget_what_is_lost();
     } else {
-      rates_.setZero();
+      halt();
+      if (span_s > 0) widen();
     }
-    const Rates growth =
-        spread(options_.growth_base_m, options_.growth_base_rad, options_.growth_slide_m, options_.growth_turn_rad);
-    deviation_ = (deviation_ + growth * elapsed_s).cwiseMin(most());
-    return integrated ? elapsed_s : S(0);
+    return integrated ? static_cast<S>(span_s) : S(0);
   }
 
-  /// A frame has been measured at the prior's time. `continuous` when the one before it was, too. A degree of freedom
-  /// that the frame says nothing of (see is_weak) is taken to stand still: nothing would stop it from running away.
-  void measured(const Configuration& q, const Mat<S, kDof, kDof>& covariance, S span_s, bool continuous) noexcept {
-    if (continuous && span_s > S(0)) {
-      const Rates surprise = model::difference(q_, q) / span_s;  // velocity beyond the predicted one
-      rates_ += S(kRateGain) * surprise;
+  /// A frame has been measured at the prior's time, solved with prior(). `continuous` when the one before it was, too.
+  void measured(const Configuration& q, const Square& covariance, bool continuous) noexcept {
+    Square information;
+    if (continuous && math::invert(motion_.P_qq, information) == Status::ok) {
+      correct<M, S>(motion_, information, q, covariance);
     } else {
-      rates_.setZero();
+      halt();
+      motion_.q = q, motion_.P_qq = covariance;
     }
-    for (int i = 0; i < kDof; ++i) {
-      if (is_weak(covariance, i)) rates_[i] = S(0);
-    }
-    q_ = q;
-    for (int i = 0; i < kDof; ++i) deviation_[i] = std::sqrt(covariance(i, i));
-  }
-
-  /// Half the prior's deviation is left: the frame has said less of this degree of freedom than was known without it.
-  bool is_weak(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
-    return !(covariance(i, i) < S(0.25) * prior_variance()[i]);
-  }
-  /// All of it is left, but for a hundredth: what the neighbours' correlations take is no observation.
-  Observability observability(const Mat<S, kDof, kDof>& covariance, int i) const noexcept {
-    if (!is_weak(covariance, i)) return Observability::observed;
-    return covariance(i, i) < S(0.98) * prior_variance()[i] ? Observability::weak : Observability::held;
   }
 
   /// The object was found at q, whatever was expected.
   void restart(const Configuration& q) noexcept {
-    q_ = q;
-    deviation_ = most();
-    rates_.setZero();
+    motion_.q = q;
+    halt();
+    widen();
   }
 
-  /// Nothing is known of the motion any more: the mean stays where it is.
-  void halt() noexcept { rates_.setZero(); }
-
-  const Configuration& q() const noexcept { return q_; }
-  const Rates& rates() const noexcept { return rates_; }
-  Prior<M, S> prior() const noexcept { return {q_, prior_variance()}; }
-
-  /// How far q may be from the truth, m^2 and rad^2.
-  Rates variance() const noexcept { return deviation_.cwiseAbs2(); }
+  /// Nothing is known of the rates any more: the mean stays where it is.
+  void halt() noexcept {
+    motion_.qdot = math::zeros<Rates>();
+    motion_.P_vq = motion_.P_vv = math::zeros<Square>();
+    for (int i = 0; i < kDof; ++i) motion_.P_vv(i, i) = most_rate_[i];
+  }
 
   /// Takes back all that is known of how near the mean is: as wide as before anything was seen.
-  void widen() noexcept { deviation_ = most(); }
+  void widen() noexcept {
+    motion_.P_qq = motion_.P_vq = math::zeros<Square>();
+    for (int i = 0; i < kDof; ++i) motion_.P_qq(i, i) = most_[i];
+  }
+
+  const Configuration& q() const noexcept { return motion_.q; }
+  const Rates& rates() const noexcept { return motion_.qdot; }
+  const Square& covariance() const noexcept { return motion_.P_qq; }
+  const Motion<M, S>& motion() const noexcept { return motion_; }
+
+  /// Without information where the covariance cannot be inverted: the frame then stands alone.
+  Prior<M, S> prior() const noexcept {
+    Prior<M, S> prior{.mean = motion_.q};
+    (void)math::invert(motion_.P_qq, prior.information);
+    return prior;
+  }
 
  private:
-  /// Share of a velocity surprise that is believed: the noise of a difference of two frames is damped to a third while
-  /// a change of speed is followed within five frames. Only windows and starting points depend on it.
-  static constexpr double kRateGain = 0.4;
+  static Rates squared(Rates x) noexcept {
+    for (int i = 0; i < kDof; ++i) x[i] *= x[i];
+    return x;
+  }
 
-  static Rates spread(double base_m, double base_rad, double slide_m, double turn_rad) noexcept {
-    Rates spread;
-    spread.template head<3>().setConstant(static_cast<S>(base_m));
-    spread.template segment<3>(3).setConstant(static_cast<S>(base_rad));
-    for (int j = 0; j < model::kNumJoints<M>; ++j) {
-      const bool slides = model::kValueRows<M>[static_cast<std::size_t>(j)].kind == model::JointKind::prismatic;
-      spread[6 + j] = static_cast<S>(slides ? slide_m : turn_rad);
+  /// A degree of freedom that nothing has held for long is no better known than at the start.
+  void forget_what_is_lost() noexcept {
+    for (int i = 0; i < kDof; ++i) {
+      if (motion_.P_qq(i, i) < most_[i]) continue;
+      for (int j = 0; j < kDof; ++j) {
+        motion_.P_qq(i, j) = motion_.P_qq(j, i) = motion_.P_vv(i, j) = motion_.P_vv(j, i) = S(0);
+        motion_.P_vq(i, j) = motion_.P_vq(j, i) = S(0);
+      }
+      motion_.P_qq(i, i) = most_[i], motion_.P_vv(i, i) = most_rate_[i], motion_.qdot[i] = S(0);
     }
-    return spread;
-  }
-
-  Rates prior_variance() const noexcept { return deviation_.cwiseMax(least()).cwiseAbs2(); }
-  Rates least() const noexcept {
-    return spread(options_.prior_base_m, options_.prior_base_rad, options_.prior_slide_m, options_.prior_turn_rad);
-  }
-  Rates most() const noexcept {
-    return spread(options_.start_base_m, options_.start_base_rad, options_.start_slide_m, options_.start_turn_rad);
   }
 
   /// A prediction does not carry a joint beyond its limits.
-  static Configuration within_limits(Configuration q) noexcept {
+  void hold_limits() noexcept {
     for (int j = 0; j < model::kNumJoints<M>; ++j) {
       const auto& row = model::kValueRows<M>[static_cast<std::size_t>(j)];
-      const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max);
-      q.joints[j] = q.joints[j] < low ? low : (q.joints[j] > high ? high : q.joints[j]);
+      const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max), value = motion_.q.joints[j];
+      if (value >= low && value <= high) continue;
+      motion_.q.joints[j] = value < low ? low : high;
+      motion_.qdot[6 + j] = S(0);
     }
-    return q;
   }
 
-  Options options_;
-  Configuration q_{};
-  Rates deviation_ = Rates::Ones();
-  Rates rates_ = Rates::Zero();
+  double max_gap_s_;
+  Rates density_, most_, most_rate_;  // variances
+  Motion<M, S> motion_{};
   Timestamp t_{};
   bool has_time_{false};
 };

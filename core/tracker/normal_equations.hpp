@@ -21,7 +21,7 @@
 
 #include "core/math/tree_factor.hpp"
 #include "core/model/body_places.hpp"
-#include "core/model/unknown_tree.hpp"
+#include "core/model/joint_paths.hpp"
 #include "core/tracker/associate.hpp"
 #include "core/tracker/body_information.hpp"
 
@@ -30,14 +30,23 @@ namespace articam::tracker {
 /// Where the configuration is expected before the frame is looked at.
 template <class M, class S>
 struct Prior {
+  using Square = Mat<S, model::kDof<M>, model::kDof<M>>;
   model::Configuration<M, S> mean{};
-  Vec<S, model::kDof<M>> variance = math::zeros<Vec<S, model::kDof<M>>>();  ///< m^2, rad^2
+  Square information = math::zeros<Square>();  ///< P^-1, 1/m^2, 1/rad^2
 };
+
+/// A prior whose degrees of freedom are independent, of these variances (m^2, rad^2).
+template <class M, class S>
+Prior<M, S> independent_prior(const model::Configuration<M, S>& mean, const Vec<S, model::kDof<M>>& variance) noexcept {
+  Prior<M, S> prior{.mean = mean};
+  for (int i = 0; i < model::kDof<M>; ++i) prior.information(i, i) = S(1) / variance[i];
+  return prior;
+}
 
 /// The normal equations of one step,  H step = b  with b the cost's falling slope, and the cost where they were built.
 template <class M, class S>
 struct Normal {
-  math::TreeMatrix<model::UnknownTree<M>, S> H;
+  math::TreeMatrix<math::Chain<model::kDof<M>>, S> H;
   std::array<S, static_cast<std::size_t>(model::kDof<M>)> b;
   S cost;
   S chi2;    ///< the measurements' part without robust weights
@@ -54,7 +63,7 @@ class Linearisation {
   [[gnu::always_inline]] Status add_matches(const Matches<M, S>& matches, const model::Configuration<M, S>& q,
                                             FeatureKind kind) noexcept {
     const Quat<S>& R = q.T_cam_obj.R;
-    if constexpr (kHasMimics) normal_.H.entries = {}, normal_.b = {};  // else every entry is written once
+    normal_.H.entries = {}, normal_.b = {};  // joints that share no mark leave entries at 0
     model::BodyPlaces<M, S> places;
     model::place_bodies<M, S>(math::axes_of(R.w(), R.x(), R.y(), R.z()), q.joints, places);
     const math::Triple<S> t_cam_obj = math::to_triple(q.T_cam_obj.t);
@@ -186,8 +195,7 @@ class Linearisation {
   [[gnu::always_inline]] void add_common(const Wrench<S>& common, const model::JointMotion<S>& motion) noexcept {
     constexpr int kThis = 6 + model::kValueOfRow<M>[kBody], kThat = 6 + model::kValueOfRow<M>[kOther];
     constexpr int kRow = kThis > kThat ? kThis : kThat, kColumn = kThis > kThat ? kThat : kThis;
-    // Joints that move no marker have nothing in common, and no entry.
-    if constexpr (model::moves<M>(kOther, kBody) && decltype(normal_.H)::Pattern::entry(kRow, kColumn) >= 0) {
+    if constexpr (model::moves<M>(kOther, kBody)) {
       constexpr const model::JointRow& other = M::kJoints[kOther];
       S entry = dot(common.force, motion.linear);
       if constexpr (other.kind != model::JointKind::prismatic) entry += dot(common.torque, motion.angular);
@@ -242,9 +250,9 @@ void add_prior(const Prior<M, S>& prior, const model::Configuration<M, S>& q, No
   const auto to_mean = model::difference(q, prior.mean);
   S cost{};
   for (int i = 0; i < model::kDof<M>; ++i) {
-    const S information = S(1) / prior.variance[i];
-    const S pull = information * to_mean[i];
-    normal.H.at(i, i) += information;
+    S pull{};
+    for (int j = 0; j < model::kDof<M>; ++j) pull += prior.information(i, j) * to_mean[j];
+    for (int j = 0; j <= i; ++j) normal.H.at(i, j) += prior.information(i, j);
     normal.b[static_cast<std::size_t>(i)] += pull;
     cost += to_mean[i] * pull;
   }

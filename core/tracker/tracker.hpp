@@ -67,7 +67,7 @@ class Tracker {
   bool fits(const ImageView& image) const noexcept;
   EstimateType follow(Timestamp t) noexcept;
   void begin(Timestamp t) noexcept;
-  void predict(const Vec<Scalar, kDof>& P) noexcept;
+  void predict(const Mat<Scalar, kDof, kDof>& P) noexcept;
   void look(const ImageView& image) noexcept;
   void match() noexcept;
   void iterate() noexcept;
@@ -86,6 +86,7 @@ class Tracker {
   Options options_;
   vision::CameraModel<Scalar> camera_;
   vision::Detector detector_;
+  Vec<Scalar, kDof> coarse_;  ///< variances that an observation has to beat
   Judge judge_;
   MotionPrior<Model, Scalar> motion_;
   PaperIntegrator<Model, Scalar> paper_;
@@ -107,6 +108,7 @@ class Tracker {
   Matches<Model, Scalar> previous_matches_{};
   Consensus<Model, Scalar> found_{};
   Evidence evidence_{};
+  std::array<Observability, static_cast<std::size_t>(kDof)> observability_{};
   int spare_{};  ///< equations beyond the degrees of freedom that they observe
 };
 

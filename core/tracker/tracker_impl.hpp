@@ -1,7 +1,10 @@
 #pragma once
 /// @file  The steps behind the front door, tracker.hpp.
 
+#include <algorithm>
+
 #include "core/tracker/look.hpp"
+#include "core/tracker/observed.hpp"
 #include "core/tracker/tracker.hpp"
 #include "core/tracker/tracker_search.hpp"
 
@@ -35,6 +38,7 @@ Tracker<Model, Scalar>::Tracker(const CameraParameters& camera, const Options& o
     : options_{options},
       camera_{camera},
       detector_{detector_options<Model>()},
+      coarse_{per_freedom<Model, Scalar>(options.coarse).cwiseAbs2()},
       judge_{options, false},
       motion_{options},
       acquisition_{camera_, static_cast<Scalar>(options.floor_px)} {
@@ -123,7 +127,7 @@ auto Tracker<Model, Scalar>::coast(Timestamp t, Reason reason) const noexcept ->
   estimate.valid = verdict.status == TrackingStatus::coasting;
   estimate.q = motion.q();
   estimate.qdot = motion.rates();
-  estimate.covariance = motion.variance().asDiagonal();
+  estimate.covariance = motion.covariance();
   return estimate;
 }
 
@@ -140,11 +144,11 @@ void Tracker<Model, Scalar>::begin(Timestamp t) noexcept {
   period_s_ = motion_.advance(t);
   if (!following_) motion_.widen();
   q_ = motion_.q();
-  predict(motion_.variance());
+  predict(motion_.covariance());
 }
 
 template <class Model, class Scalar>
-void Tracker<Model, Scalar>::predict(const Vec<Scalar, kDof>& P) noexcept {
+void Tracker<Model, Scalar>::predict(const Mat<Scalar, kDof, kDof>& P) noexcept {
   features_ = predict_features<Model, Scalar>(q_, camera_, feature_kind());
   spread_features<Model, Scalar>(q_, camera_, P, features_);
 }
@@ -180,9 +184,11 @@ void Tracker<Model, Scalar>::paper_step() noexcept {
   // The covariance is of our making: the paper gives none.
   Normal<Model, Scalar> normal = linearise(matches_, q_, FeatureKind::point);
   found_.solution.error_norm = std::sqrt(normal.error2);
-  if (normal.status == Status::ok) add_prior({q_, motion_.prior().variance}, q_, normal);
+  Prior<Model, Scalar> prior = motion_.prior();
+  prior.mean = q_;
+  if (normal.status == Status::ok) add_prior(prior, q_, normal);
   found_.solution.status =
-      normal.status == Status::ok ? invert<Model, Scalar>(normal.H, found_.solution.covariance) : normal.status;
+      normal.status == Status::ok ? math::invert(normal.H, found_.solution.covariance) : normal.status;
   if (found_.solution.status != Status::ok) return;
   found_.solution.chi2 = normal.chi2;
 
@@ -207,8 +213,8 @@ void Tracker<Model, Scalar>::weigh() noexcept {
   evidence_.outlier = found_.outlier >= 0;
   evidence_.contradictory = found_.contradictory;
   if (solution.status != Status::ok || evidence_.matched == 0) return;
-  int observed = 0;
-  for (int i = 0; i < kDof; ++i) observed += motion_.is_weak(solution.covariance, i) ? 0 : 1;
+  observability_ = observe<Model, Scalar>(matches_, q_, feature_kind(), coarse_);
+  const auto observed = static_cast<int>(std::ranges::count(observability_, Observability::observed));
   spare_ = 2 * evidence_.matched - observed;
   rms_px_ = rms_px();
   const bool paper = options_.mode == Mode::paper;
@@ -233,13 +239,11 @@ auto Tracker<Model, Scalar>::judge(Timestamp t) noexcept -> EstimateType {
   estimate.error_norm = found_.solution.error_norm;
   estimate.iterations = found_.solution.iterations;
   if (moved) {
-    for (int i = 0; i < kDof; ++i) {
-      estimate.observability[static_cast<std::size_t>(i)] = motion_.observability(found_.solution.covariance, i);
-    }
-    motion_.measured(q_, found_.solution.covariance, period_s_, following_ && !paper);
+    estimate.observability = observability_;
+    motion_.measured(q_, found_.solution.covariance, following_ && !paper);
     estimate.covariance = found_.solution.covariance;
   } else {
-    estimate.covariance = motion_.variance().asDiagonal();
+    estimate.covariance = motion_.covariance();
     paper_.reset();
     // A lost object is not followed into the blue.
     if (verdict.status != TrackingStatus::coasting) motion_.halt();

@@ -7,12 +7,12 @@ namespace articam::tracker {
 
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::search() noexcept {
-  const Vec<Scalar, kDof> kKnown = Vec<Scalar, kDof>::Zero();
+  const auto kKnown = math::zeros<Mat<Scalar, kDof, kDof>>();
   Scalar first_error{0};
   int iterations = 0;
   for (int round = 0; round < kSearchRounds; ++round) {
     const bool last = round + 1 == kSearchRounds;
-    if (round > 0) predict(last ? kKnown : motion_.variance()), match();
+    if (round > 0) predict(last ? kKnown : motion_.covariance()), match();
     if (last) {
       iterate();
     } else {
@@ -58,7 +58,7 @@ void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
   rms_px_ = Scalar(0);
   motion_.restart(q);
   q_ = q;
-  predict(Vec<Scalar, kDof>::Zero());
+  predict(math::zeros<Mat<Scalar, kDof, kDof>>());
   match();
   iterate();
   weigh();

@@ -23,25 +23,10 @@ struct Solution {
 /// pseudo-inverse weighted. Errors  ill_conditioned; `step` is then unchanged.
 template <class M, class S>
 Status damped_step(const Normal<M, S>& normal, S damping, Vec<S, model::kDof<M>>& step) noexcept {
-  math::TreeFactor<model::UnknownTree<M>, S> factor;
+  math::TreeFactor<math::Chain<model::kDof<M>>, S> factor;
   if (const Status status = factor.factorise(normal.H, damping); status != Status::ok) return status;
   for (std::size_t i = 0; i < normal.b.size(); ++i) step[static_cast<Eigen::Index>(i)] = normal.b[i];
   factor.solve(step.data());
-  return Status::ok;
-}
-
-/// H^-1, symmetric to the bit. Errors  ill_conditioned; `covariance` is then unchanged.
-template <class M, class S>
-Status invert(const math::TreeMatrix<model::UnknownTree<M>, S>& H,
-              Mat<S, model::kDof<M>, model::kDof<M>>& covariance) noexcept {
-  math::TreeFactor<model::UnknownTree<M>, S> factor;
-  if (const Status status = factor.factorise(H); status != Status::ok) return status;
-  for (int j = 0; j < model::kDof<M>; ++j) {
-    std::array<S, static_cast<std::size_t>(model::kDof<M>)> x{};
-    x[static_cast<std::size_t>(j)] = S(1);
-    factor.solve(x.data());
-    for (int i = j; i < model::kDof<M>; ++i) covariance(i, j) = covariance(j, i) = x[static_cast<std::size_t>(i)];
-  }
   return Status::ok;
 }
 
@@ -98,7 +83,7 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
   }
   solution.cost = normal.cost;
   solution.chi2 = normal.chi2;
-  solution.status = invert<M, S>(normal.H, solution.covariance);
+  solution.status = math::invert(normal.H, solution.covariance);
   return solution;
 }
 

@@ -23,8 +23,9 @@ struct Frame {
     test::Random random{1};
     matches = test::observe<M, S>(truth, tracker::FeatureKind::imaged_circle, 0.3, &random);
     q = model::integrate<M, S>(truth, random.vector<S, model::kDof<M>>(-0.02, 0.02));
-    prior.mean = model::integrate<M, S>(truth, random.vector<S, model::kDof<M>>(-0.01, 0.01));
-    prior.variance = Vec<S, model::kDof<M>>::Constant(S(1e-4));
+    prior =
+        tracker::independent_prior<M, S>(model::integrate<M, S>(truth, random.vector<S, model::kDof<M>>(-0.01, 0.01)),
+                                         Vec<S, model::kDof<M>>::Constant(S(1e-4)));
   }
 };
 

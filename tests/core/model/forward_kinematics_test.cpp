@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/model/unknown_tree.hpp"
+#include "core/model/joint_paths.hpp"
 #include "tests/support/random_state.hpp"
 #include "tests/support/test_arm.hpp"
 

@@ -14,7 +14,7 @@ using M = models::PrinterDrawer;
 constexpr double kNoise_px = 0.05;
 
 tracker::Prior<M, double> tracking_prior(const model::Configuration<M, double>& mean) {
-  return {mean, Vec<double, 8>::Constant(0.02 * 0.02)};
+  return tracker::independent_prior<M, double>(mean, Vec<double, 8>::Constant(0.02 * 0.02));
 }
 
 TEST(Consensus, LeavesOutAWildBaseMarkerAndAnswersAsIfItWereMissing) {

@@ -35,7 +35,7 @@ TEST(SpreadFeatures, IsTheCovarianceOfTheFeaturesOfConfigurationsThatAreSpreadSo
   const auto q = test::nominal_printer<M, double>();
   auto features = predict_features<M, double>(q, camera());
   const Step deviation = 0.1 * deviations();  // small, so that the image moves in proportion
-  spread_features<M, double>(q, camera(), deviation.cwiseAbs2(), features);
+  spread_features<M, double>(q, camera(), deviation.cwiseAbs2().asDiagonal(), features);
   std::array<Mat<double, 3, 3>, 6> sum{};
   for (auto& m : sum) m.setZero();
   for (int k = 0; k < kDraws; ++k) {
@@ -61,7 +61,7 @@ TEST(SpreadFeatures, KeepsTheGateBetweenItsLeastAndItsMost) {
   auto features = predict_features<M, double>(q, camera());
   const double least = std::sqrt(kGate<double>) * kUnmodelled_px<double>;
   for (const auto& feature : features) EXPECT_NEAR(reach_px(feature).norm(), std::sqrt(2.0) * least, 1e-9);
-  spread_features<M, double>(q, camera(), Step::Constant(100), features);
+  spread_features<M, double>(q, camera(), Step::Constant(100).asDiagonal(), features);
   for (const auto& feature : features) {
     EXPECT_LE(reach_px(feature).squaredNorm(), kMaxReach_px<double> * kMaxReach_px<double> + 2 * least * least + 1e-6);
     EXPECT_LE(feature.size_variance, 1);
@@ -83,7 +83,7 @@ TEST(Innovation, LetsAllButOneMarkInAThousandPassThatIsSpreadAsItSays) {
   test::Random random{32};
   const auto q = test::nominal_printer<M, double>();
   auto features = predict_features<M, double>(q, camera());
-  spread_features<M, double>(q, camera(), deviations().cwiseAbs2(), features);
+  spread_features<M, double>(q, camera(), deviations().cwiseAbs2().asDiagonal(), features);
   double sum = 0;
   int out = 0;
   for (int k = 0; k < kDraws; ++k) {

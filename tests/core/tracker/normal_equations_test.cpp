@@ -42,7 +42,7 @@ struct Dense {
 };
 
 template <class M>
-Mat<double, model::kDof<M>, model::kDof<M>> dense(const math::TreeMatrix<model::UnknownTree<M>, double>& H) {
+Mat<double, model::kDof<M>, model::kDof<M>> dense(const math::TreeMatrix<math::Chain<model::kDof<M>>, double>& H) {
   Mat<double, model::kDof<M>, model::kDof<M>> full;
   for (int i = 0; i < full.rows(); ++i) {
     for (int j = 0; j < full.cols(); ++j) full(i, j) = H(i, j);
@@ -116,10 +116,10 @@ TYPED_TEST(NormalEquations, GiveTheCovarianceThatIsTheInverseOfTheDenseMatrix) {
   for (int i = 0; i < 10; ++i) {
     const auto q = random.configuration<M, double>();
     const auto matches = disturbed_matches<M>(q, FeatureKind::imaged_circle, random);
-    const tracker::Prior<M, double> prior{q, Vec<double, model::kDof<M>>::Constant(0.01)};
+    const auto prior = tracker::independent_prior<M, double>(q, Vec<double, model::kDof<M>>::Constant(0.01));
     const auto normal = tracker::linearise(matches, prior, q);
     Square covariance;
-    ASSERT_EQ((tracker::invert<M, double>(normal.H, covariance)), Status::ok);
+    ASSERT_EQ(math::invert(normal.H, covariance), Status::ok);
     const Square H = Dense<M>{matches, q, FeatureKind::imaged_circle}.H + 100 * Square::Identity();
     EXPECT_LT((H * covariance - Square::Identity()).norm(), 1e-8);  // condition up to 1e6
     EXPECT_TRUE(covariance == covariance.transpose());

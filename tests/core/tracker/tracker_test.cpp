@@ -69,8 +69,12 @@ TEST_F(PrinterTracker, TracksWithABaseMarkerHiddenAndSaysWhichJointIsHeldWithADr
   const auto without_drawer = see([](Markers& markers) { markers.pop_back(); });
   EXPECT_EQ(without_drawer.status, degraded);
   EXPECT_EQ(without_drawer.reason, Reason::weak_joint);
-  EXPECT_LT(without_drawer.covariance(6, 6), 1e-6);         // the drawer is seen by its other marker ...
-  EXPECT_GT(without_drawer.covariance(7, 7), 0.01 * 0.01);  // ... the distance of the two is not
+  EXPECT_LT(without_drawer.covariance(6, 6), 1e-6);  // the drawer is seen by its other marker ...
+  EXPECT_EQ(without_drawer.observability[7], tracker::Observability::held);  // ... the distance of the two is not:
+  // what a frame of unknown acceleration leaves of it, and of the rate, which was known to a few mm/s.
+  constexpr double kOfAcceleration = 0.04 * 0.04 * 0.04 / 3;
+  EXPECT_GT(without_drawer.covariance(7, 7), 0.5 * kOfAcceleration);
+  EXPECT_LT(without_drawer.covariance(7, 7), 2 * kOfAcceleration);
 }
 
 TEST_F(PrinterTracker, LeavesOutAMarkerThatHasComeOff) {
@@ -122,7 +126,7 @@ TEST_F(PrinterTracker, CallsAFirstImageOfAnotherSizeAFault) {
   EXPECT_FALSE(estimate.valid);
 }
 
-TEST_F(PrinterTracker, HoldsADrawerThatIsHiddenWhileItMovesAndFindsItAgainElsewhere) {
+TEST_F(PrinterTracker, CoastsADrawerThatIsHiddenWhileItMovesAndFindsItAgainWhereItStops) {
   k_ = 6 * 30;  // it opens
   const auto at_now = [&] { return Scenario::at(static_cast<double>(k_) / 30).q; };
   const auto moving = [&](bool hidden) {
@@ -134,19 +138,19 @@ TEST_F(PrinterTracker, HoldsADrawerThatIsHiddenWhileItMovesAndFindsItAgainElsewh
   Estimate last;
   for (int i = 0; i < 15; ++i) last = moving(false);
   ASSERT_EQ(last.status, tracking) << name(last.reason);
-  const double held = last.q.joints[0];
-  double deviation = 0;
+  const double hidden_at = last.q.joints[0];
+  double variance = 0;
   for (int i = 0; i < 60; ++i) {
+    const double truth = at_now().joints[0];
     last = moving(true);
     ASSERT_EQ(last.status, degraded) << i << name(last.reason);
     EXPECT_EQ(last.reason, Reason::weak_joint);
-    EXPECT_NEAR(last.q.joints[0], held, 0.005);  // one predicted step of 50 mm/s, then it stands
-    EXPECT_GE(last.covariance(6, 6), deviation);
-    deviation = last.covariance(6, 6);
+    EXPECT_EQ(last.observability[6], tracker::Observability::held);
+    EXPECT_GE(last.covariance(6, 6), variance);
+    variance = last.covariance(6, 6);
+    EXPECT_LT(std::abs(last.q.joints[0] - truth), 3 * std::sqrt(variance)) << i;
   }
-  const double truth = at_now().joints[0];
-  EXPECT_GT(std::abs(truth - held), 0.02);  // it has gone on meanwhile ...
-  EXPECT_LT(std::abs(truth - last.q.joints[0]), 3 * std::sqrt(deviation));
+  EXPECT_GT(std::abs(at_now().joints[0] - hidden_at), 0.02);  // it has gone on meanwhile ...
   const double found = at_now().joints[0];
   last = moving(false);
   EXPECT_EQ(last.status, tracking) << name(last.reason);  // ... and is found where it is

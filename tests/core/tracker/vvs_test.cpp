@@ -14,7 +14,7 @@ using Printer = models::PrinterDrawer;
 
 template <class M, class S>
 tracker::Prior<M, S> wide(const model::Configuration<M, S>& mean) {
-  return {mean, Vec<S, model::kDof<M>>::Constant(S(1))};
+  return tracker::independent_prior<M, S>(mean, Vec<S, model::kDof<M>>::Constant(S(1)));
 }
 
 template <class Scalar>
@@ -76,7 +76,7 @@ TEST(VvsSolve, KeepsThePriorOfAJointThatNoMatchedMarkerShows) {
   matches[5].matched = false;  // the only marker that marker_distance moves
   auto prior = wide<Printer, double>(truth);
   prior.mean.joints[1] = 0.10;
-  prior.variance[7] = 0.02 * 0.02;
+  prior.information(7, 7) = 1 / (0.02 * 0.02);
   const auto solution = tracker::solve(matches, prior, prior.mean, 20);
   ASSERT_EQ(solution.status, Status::ok);
   EXPECT_NEAR(solution.q.joints[1], 0.10, 1e-9);
