@@ -20,6 +20,8 @@ struct Match {
   Vec<S, 2> pixel{Vec<S, 2>::Zero()};   ///< measured centre
   Vec<S, 2> s_star{Vec<S, 2>::Zero()};  ///< the same on the metric plane, lens distortion removed
   S variance{};                         ///< of each coordinate of s_star
+  Vec<S, 3> shape{Vec<S, 3>::Zero()};   ///< m00, m10, m11 of the ellipse on the metric plane
+  S shape_variance{};                   ///< of each of them; 0 where the shape is not to be used
 };
 
 template <class M, class S>
@@ -60,13 +62,19 @@ Matches<M, S> associate(const Features<M, S>& features, const vision::Detections
     const Vec<S, 2> s_star = on_plane.value().centre;
     const auto seen = camera.project_with_slope(s_star);
     if (!seen.ok()) continue;
-    const S variance_px2 = static_cast<S>(detections[d].centre_variance_q24) / S(1 << 24);
-    const vision::Ellipse& mark = detections[d].outer;
+    const vision::Detection& mark = detections[d];
+    const Mat<S, 2, 2>& shape = on_plane.value().M;
+    const S per_px2 = S(1) / seen.value().J.determinant();  // px^2 to the metric plane
+    const auto variance = [&](std::uint32_t of_detection_q24) {
+      return (static_cast<S>(of_detection_q24) / S(1 << 24) + floor_px * floor_px) * per_px2;
+    };
     matches[f] = {true,
                   partner[f],
-                  {S(vision::from_q16(mark.u_q16)), S(vision::from_q16(mark.v_q16))},
+                  {S(vision::from_q16(mark.outer.u_q16)), S(vision::from_q16(mark.outer.v_q16))},
                   s_star,
-                  (variance_px2 + floor_px * floor_px) / seen.value().J.determinant()};  // px^2 to the metric plane
+                  variance(mark.centre_variance_q24),
+                  {shape(0, 0), shape(1, 0), shape(1, 1)},
+                  mark.flaws == 0 ? variance(mark.axis_variance_q24) : S(0)};
   }
   return matches;
 }

@@ -21,6 +21,11 @@ struct PlacedMark {
 template <class S>
 struct Wrench {
   math::Triple<S> force{}, torque{};
+
+  constexpr Wrench& operator+=(const Wrench& b) noexcept {
+    force += b.force, torque += b.torque;
+    return *this;
+  }
 };
 
 /// The normal equations of one body's twist (v, omega), a point at `arm` moving by v + omega x arm:
@@ -47,12 +52,20 @@ struct BodyInformation {
   Symmetric vv{}, ww{};
   math::Axes<S> vw{};  ///< its rows: of v_x, v_y, v_z
   Wrench<S> pull{};    ///< -A^T w e
+  Wrench<S> scale{};   ///< what the twist has in common with the marks' scale; see shape_information.hpp
 
   BodyInformation& operator+=(const BodyInformation& b) noexcept {
     vv += b.vv, ww += b.ww;
     vw.x += b.vw.x, vw.y += b.vw.y, vw.z += b.vw.z;
-    pull.force += b.pull.force, pull.torque += b.pull.torque;
+    pull += b.pull, scale += b.scale;
     return *this;
+  }
+  /// Adds one equation's  weight a a^T,  a being (f, w).
+  constexpr void add_row(const math::Triple<S>& f, const math::Triple<S>& w, S weight) noexcept {
+    const math::Triple<S> F = weight * f, W = weight * w;
+    vv += {F.x * f.x, F.y * f.y, F.z * f.z, F.x * f.y, F.x * f.z, F.y * f.z};
+    vw.x += F.x * w, vw.y += F.y * w, vw.z += F.z * w;
+    ww += {W.x * w.x, W.y * w.y, W.z * w.z, W.x * w.y, W.x * w.z, W.y * w.z};
   }
 };
 

@@ -37,13 +37,12 @@ void spread_features(const model::Configuration<M, S>& q, const vision::CameraMo
     if (!feature.visible) continue;
     const model::MarkerRow& row = M::kMarkers[i];
     const auto circle = circle_in_camera(q.T_cam_obj, kinematics.markers[i], row.outer_diameter_m);
-    const auto L_ellipse = vision::imaged_ellipse_interaction_matrix(circle);
-    if (!L_ellipse.ok() || feature.image.m00_q16 <= 0 || feature.image.m11_q16 <= 0) continue;
+    const auto image = vision::moving_ellipse(circle);
+    if (!image.ok() || feature.image.m00_q16 <= 0 || feature.image.m11_q16 <= 0) continue;
     const S per_m00 = S(65536) / static_cast<S>(feature.image.m00_q16),
             per_m11 = S(65536) / static_cast<S>(feature.image.m11_q16);
     Mat<S, 3, 6> L;  // of u and v, px, and of log(m00 m11)
-    L << L_ellipse.value().template topRows<2>(),
-        per_m00 * L_ellipse.value().row(2) + per_m11 * L_ellipse.value().row(4);
+    L << image.value().L.template topRows<2>(), per_m00 * image.value().L.row(2) + per_m11 * image.value().L.row(4);
     L *= camera.focal_px();
     const Mat<S, 3, model::kDof<M>> A = L.lazyProduct(model::point_jacobian<M, S>(kinematics, q.T_cam_obj, row.body));
     const Mat<S, 3, model::kDof<M>> AP = A.lazyProduct(P);

@@ -24,6 +24,7 @@
 #include "core/model/joint_paths.hpp"
 #include "core/tracker/associate.hpp"
 #include "core/tracker/body_information.hpp"
+#include "core/tracker/shape_information.hpp"
 
 namespace articam::tracker {
 
@@ -70,7 +71,8 @@ class Linearisation {
     const Frame frame{matches, places, t_cam_obj, kind};
     if (!add_bodies(frame, std::make_index_sequence<kNumBodies + 1>{})) return Status::behind_camera;
     put_base(sums_[kSlot[0]]);
-    normal_.cost = misfit_.cost();
+    normal_.cost = misfit_.cost() + shape_misfit_.cost();
+    if (scale_.information > S(0)) eliminate_scale();
     normal_.chi2 = misfit_.chi2;
     normal_.error2 = misfit_.error2;
     return Status::ok;
@@ -148,8 +150,22 @@ class Linearisation {
       PlacedMark<S>* next = marks.data();
       ((next = place<kFirst, kMarker>(frame, next)), ...);
       const S radius = frame.kind == FeatureKind::point ? S(0) : static_cast<S>(0.5 * row.outer_diameter_m);
-      return add_centres(marks.data(), marks.size(), along(frame.places[kBody + 1].axes, row.normal), radius,
-                         frame.t_cam_obj, sums_[kSlot[kBody + 1]], misfit_) == Status::ok;
+      const math::Triple<S> normal = along(frame.places[kBody + 1].axes, row.normal);
+      BodyInformation<S>& sum = sums_[kSlot[kBody + 1]];
+      if (add_centres(marks.data(), marks.size(), normal, radius, frame.t_cam_obj, sum, misfit_) != Status::ok)
+        return false;
+      return radius > S(0) ? add_shapes(marks.data(), marks.size(), normal, radius, frame.t_cam_obj, sum) : true;
+    }
+    return true;
+  }
+  bool add_shapes(const PlacedMark<S>* marks, std::size_t num_marks, const math::Triple<S>& normal, S radius,
+                  const math::Triple<S>& t, BodyInformation<S>& sum) noexcept {
+    for (const PlacedMark<S>* mark = marks; mark != marks + num_marks; ++mark) {
+      if (!mark->match->matched || !(mark->match->shape_variance > S(0))) continue;
+      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius};
+      // Edge on it has no shape, and says nothing.
+      const Status status = add_shape(circle, mark->arm, *mark->match, sum, shape_misfit_, scale_);
+      if (status != Status::ok && status != Status::ill_conditioned) return false;
     }
     return true;
   }
@@ -170,15 +186,20 @@ class Linearisation {
     const BodyInformation<S>& sum = sums_[kSlot[kBody + 1]];
     const auto& [linear, angular] = frame.places[kBody + 1].motion;
     Wrench<S> common;
-    S gradient = dot(sum.pull.force, linear);
+    S gradient = dot(sum.pull.force, linear), with_scale = dot(sum.scale.force, linear);
     if constexpr (row.kind == model::JointKind::prismatic) {
       common = of_slide(sum, linear);
     } else {
       common = of_turn(sum, linear, angular);
       gradient += dot(sum.pull.torque, angular);
+      with_scale += dot(sum.scale.torque, angular);
     }
-    if constexpr (row.ratio != 1) common = {kRatio * common.force, kRatio * common.torque}, gradient *= kRatio;
+    if constexpr (row.ratio != 1) {
+      common = {kRatio * common.force, kRatio * common.torque};
+      gradient *= kRatio, with_scale *= kRatio;
+    }
     put(normal_.b[kUnknown], gradient);
+    put(with_scale_[kUnknown], with_scale);
     put(normal_.H.at(kUnknown, 0), common.force.x);
     put(normal_.H.at(kUnknown, 1), common.force.y);
     put(normal_.H.at(kUnknown, 2), common.force.z);
@@ -227,10 +248,27 @@ class Linearisation {
     const auto& [force, torque] = sum.pull;
     normal_.b[0] = force.x, normal_.b[1] = force.y, normal_.b[2] = force.z;
     normal_.b[3] = torque.x, normal_.b[4] = torque.y, normal_.b[5] = torque.z;
+    const auto& [with_v, with_w] = sum.scale;
+    with_scale_[0] = with_v.x, with_scale_[1] = with_v.y, with_scale_[2] = with_v.z;
+    with_scale_[3] = with_w.x, with_scale_[4] = with_w.y, with_scale_[5] = with_w.z;
+  }
+
+  /// Schur's complement: the scale takes the value that suits the step best.
+  void eliminate_scale() noexcept {
+    const S variance = S(1) / (scale_.information + S(1) / (kPrintScale<S> * kPrintScale<S>));
+    const S u = variance * scale_.pull;
+    for (int i = 0; i < model::kDof<M>; ++i) {
+      const S share = with_scale_[static_cast<std::size_t>(i)];
+      normal_.b[static_cast<std::size_t>(i)] -= share * u;
+      for (int j = 0; j <= i; ++j) normal_.H.at(i, j) -= variance * share * with_scale_[static_cast<std::size_t>(j)];
+    }
+    normal_.cost -= S(0.5) * scale_.pull * u;
   }
 
   std::array<BodyInformation<S>, kNumSlots> sums_{};
-  Misfit<S> misfit_{};
+  Misfit<S> misfit_{}, shape_misfit_{};
+  ScaleInformation<S> scale_{};
+  std::array<S, static_cast<std::size_t>(model::kDof<M>)> with_scale_{};  ///< information between an unknown and u
   Normal<M, S>& normal_;
 };
 

@@ -96,20 +96,21 @@ Result<PlaneEllipse<S>> imaged_ellipse(const Circle<S>& circle) noexcept {
 }
 
 template <class S>
-Result<Mat<S, 5, 6>> imaged_ellipse_interaction_matrix(const Circle<S>& circle) noexcept {
+Result<MovingEllipse<S>> moving_ellipse(const Circle<S>& circle) noexcept {
   const CircleImage<S> image{circle};
   if (image.status() != Status::ok) return image.status();
   const Mat<S, 5, 6> D = image.derivative();
   const Mat<S, 5, 3> D_c = D.template leftCols<3>(), D_n = D.template rightCols<3>();
   // The camera's twist (v, w) moves c by -v - w x c and turns n by -w x n.
-  Mat<S, 5, 6> L;
-  L << -D_c, D_c.lazyProduct(math::hat<S>(circle.centre)) + D_n.lazyProduct(math::hat<S>(circle.normal));
-  return L;
+  MovingEllipse<S> moving;
+  moving.ellipse = image.ellipse();
+  moving.L << -D_c, D_c.lazyProduct(math::hat<S>(circle.centre)) + D_n.lazyProduct(math::hat<S>(circle.normal));
+  return moving;
 }
 
 template Result<PlaneEllipse<float>> imaged_ellipse(const Circle<float>&) noexcept;
 template Result<PlaneEllipse<double>> imaged_ellipse(const Circle<double>&) noexcept;
-template Result<Mat<float, 5, 6>> imaged_ellipse_interaction_matrix(const Circle<float>&) noexcept;
-template Result<Mat<double, 5, 6>> imaged_ellipse_interaction_matrix(const Circle<double>&) noexcept;
+template Result<MovingEllipse<float>> moving_ellipse(const Circle<float>&) noexcept;
+template Result<MovingEllipse<double>> moving_ellipse(const Circle<double>&) noexcept;
 
 }  // namespace articam::vision

@@ -21,14 +21,21 @@ namespace articam::vision {
 template <class S>
 Result<PlaneEllipse<S>> imaged_ellipse(const Circle<S>& circle) noexcept;
 
-/// Interaction matrix of (x, y, m00, m10, m11):  sdot = L v, v the twist of the camera relative to the object. Its
-/// first two rows are imaged_centre_interaction_matrix().
+/// An imaged circle, and the interaction matrix of its (x, y, m00, m10, m11).
+template <class S>
+struct MovingEllipse {
+  PlaneEllipse<S> ellipse;
+  Mat<S, 5, 6> L;
+};
+
+/// The same with its interaction matrix:  sdot = L v, v the twist of the camera relative to the object. The first two
+/// rows are imaged_centre_interaction_matrix().
 ///
 /// M as measurements: like the centre they are lengths in which an edge's displacement is linear, so one covariance on
 /// the metric plane holds all five and hardly depends on size; and they are smooth where axes and angle are not, at the
 /// circle. The entries of M M^T would carry a noise that grows with the size.
 /// Shapes, frames, units as interaction_matrix(); errors as imaged_ellipse().
 template <class S>
-Result<Mat<S, 5, 6>> imaged_ellipse_interaction_matrix(const Circle<S>& circle) noexcept;
+Result<MovingEllipse<S>> moving_ellipse(const Circle<S>& circle) noexcept;
 
 }  // namespace articam::vision
