@@ -34,6 +34,14 @@ int count(const Matches<M, S>& matches) noexcept {
   return n;
 }
 
+/// Of centres and shapes.
+template <class M, class S>
+int num_equations(const Matches<M, S>& matches) noexcept {
+  int n = 0;
+  for (const auto& match : matches) n += match.matched ? (match.shape_variance > S(0) ? 5 : 2) : 0;
+  return n;
+}
+
 /// What a marker costs that stays alone, in units of -2 ln of a likelihood: it was missed, 1 in 20, and the mark that
 /// it leaves is clutter, one a frame of 640 x 480, against the density of a match of a known configuration.
 template <class S>
@@ -74,7 +82,7 @@ Matches<M, S> associate(const Features<M, S>& features, const vision::Detections
                   s_star,
                   variance(mark.centre_variance_q24),
                   {shape(0, 0), shape(1, 0), shape(1, 1)},
-                  mark.flaws == 0 ? variance(mark.axis_variance_q24) : S(0)};
+                  mark.flaws == 0 && mark.axis_variance_q24 > 0 ? variance(mark.axis_variance_q24) : S(0)};
   }
   return matches;
 }

@@ -21,7 +21,8 @@ struct Estimate {
   static constexpr int kDof = model::kDof<Model>;
 
   std::uint32_t frame{};  ///< of the last frame taken, counted from 0, dropped ones included
-  Timestamp t_capture{};  ///< mid-exposure
+  Timestamp t_capture{};  ///< mid-exposure of the first row of the frame that it was made from
+  Timestamp t{};          ///< what it holds for: t_capture, or later where it is predicted; the difference is its age
   TrackingStatus status{TrackingStatus::initialising};
   Reason reason{Reason::none};
   bool valid{};  ///< q, qdot and covariance mean something; in paper mode from the first step on

@@ -32,6 +32,7 @@ struct Feature {
   // How badly the configuration is known, see spread_features(); 0 where it is known.
   Mat<S, 2, 2> covariance{Mat<S, 2, 2>::Zero()};  ///< of `pixel`, px^2
   S size_variance{};                              ///< of the logarithm of the image's area
+  Vec<S, 2> rate{Vec<S, 2>::Zero()};              ///< of `pixel` on the metric plane, 1/s, see set_rates()
 };
 
 template <class M, class S>

@@ -19,6 +19,8 @@ struct Evidence {
   bool contradictory{};  ///< the matches disagree beyond their noise, and no single one is to blame
   bool weak{};           ///< some degree of freedom is held by its prior
   bool outlier{};
+  bool ambiguous{};     ///< the mirror image explains the frames nearly as well
+  bool beyond_limit{};  ///< the marks want a joint beyond its limit
   bool overloaded{};
   Reason unacquired{Reason::none};  ///< why a search without a prediction found nothing; none where it was not needed
 };
@@ -43,6 +45,7 @@ class Judge {
     if (!any_frame_) any_frame_ = true, t_begin_ = t;
     const bool misfit = evidence.complete && evidence.converged && !evidence.agrees;
     misfits_ = misfit ? std::min(misfits_ + 1, kMisfitsToFault) : 0;
+    presses_ = evidence.beyond_limit ? std::min(presses_ + 1, kMisfitsToFault) : 0;
     const Verdict verdict = consider(evidence, t);
     const bool good = verdict.status == TrackingStatus::tracking || verdict.status == TrackingStatus::degraded;
     // One mark in the clutter can be followed for ever; only what checks itself is a measurement.
@@ -62,6 +65,7 @@ class Judge {
 
  private:
   /// All markers matched and yet not agreeing in so many frames in a row: the model or the camera file is another's.
+  /// Or a joint pressed against its limit for as long: the model has another range.
   static constexpr int kMisfitsToFault = 30;
 
   Verdict consider(const Evidence& evidence, Timestamp t) const noexcept {
@@ -77,11 +81,15 @@ class Judge {
       if (!evidence.converged) return unmeasured(Reason::not_converged, t);
       if (evidence.weak) return unmeasured(Reason::few_markers, t);
     }
+    if (evidence.ambiguous) return {degraded, Reason::ambiguous};
     if (evidence.weak) return {degraded, Reason::weak_joint};
     if (!evidence.redundant) return {degraded, Reason::few_markers};
     if (evidence.contradictory) return {degraded, Reason::large_residual};
     if (!evidence.converged) return {degraded, Reason::not_converged};
     if (evidence.overloaded) return {degraded, Reason::overload};
+    // Against its stop a joint may be pressed for a moment; one that stays pressed has another range.
+    if (presses_ == kMisfitsToFault) return {degraded, Reason::joint_limit};
+    if (evidence.beyond_limit) return {tracking, Reason::joint_limit};
     return {tracking, evidence.outlier ? Reason::outlier : Reason::none};
   }
 
@@ -92,6 +100,7 @@ class Judge {
   bool ever_measured_{false};
   Timestamp t_measured_{};
   int misfits_{};
+  int presses_{};  ///< frames in a row with a joint beyond its limit
 };
 
 }  // namespace articam::tracker

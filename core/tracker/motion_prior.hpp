@@ -91,6 +91,11 @@ class MotionPrior {
     for (int i = 0; i < kDof; ++i) motion_.P_qq(i, i) = most_[i];
   }
 
+  /// The rates that belong to a configuration q at the prior's time, `prior` being prior().
+  Rates rates_given(const Configuration& q, const Prior<M, S>& prior) const noexcept {
+    return motion_.qdot + motion_.P_vq.lazyProduct(prior.information.lazyProduct(model::difference(motion_.q, q)));
+  }
+
   const Configuration& q() const noexcept { return motion_.q; }
   const Rates& rates() const noexcept { return motion_.qdot; }
   const Square& covariance() const noexcept { return motion_.P_qq; }

@@ -44,14 +44,30 @@ Prior<M, S> independent_prior(const model::Configuration<M, S>& mean, const Vec<
   return prior;
 }
 
+/// What was eliminated of the equations of (step, step of u), 1 + u being the marks' common scale.
+template <class M, class S>
+struct EliminatedScale {
+  S variance{};  ///< of u, the configuration known; 0 where no shape tells of it
+  S pull{};
+  std::array<S, static_cast<std::size_t>(model::kDof<M>)> with{};  ///< information in common with the unknowns
+
+  S step_of(const Vec<S, model::kDof<M>>& step) const noexcept {
+    S rest = pull;
+    for (std::size_t i = 0; i < with.size(); ++i) rest -= with[i] * step[static_cast<Eigen::Index>(i)];
+    return variance * rest;
+  }
+};
+
 /// The normal equations of one step,  H step = b  with b the cost's falling slope, and the cost where they were built.
 template <class M, class S>
 struct Normal {
   math::TreeMatrix<math::Chain<model::kDof<M>>, S> H;
   std::array<S, static_cast<std::size_t>(model::kDof<M>)> b;
   S cost;
-  S chi2;    ///< the measurements' part without robust weights
-  S error2;  ///< ||e||^2, metric image plane
+  S chi2;        ///< the centres' part without robust weights
+  S shape_chi2;  ///< the shapes'
+  S error2;      ///< ||e||^2, metric image plane
+  EliminatedScale<M, S> scale;
   Status status;
 };
 
@@ -59,12 +75,12 @@ struct Normal {
 template <class M, class S>
 class Linearisation {
  public:
-  explicit Linearisation(Normal<M, S>& normal) noexcept : normal_{normal} {}
+  Linearisation(S scale, Normal<M, S>& normal) noexcept : u_{scale}, normal_{normal} {}
 
   [[gnu::always_inline]] Status add_matches(const Matches<M, S>& matches, const model::Configuration<M, S>& q,
                                             FeatureKind kind) noexcept {
     const Quat<S>& R = q.T_cam_obj.R;
-    normal_.H.entries = {}, normal_.b = {};  // joints that share no mark leave entries at 0
+    normal_.H.entries = {}, normal_.b = {}, normal_.scale = {};  // joints that share no mark leave entries at 0
     model::BodyPlaces<M, S> places;
     model::place_bodies<M, S>(math::axes_of(R.w(), R.x(), R.y(), R.z()), q.joints, places);
     const math::Triple<S> t_cam_obj = math::to_triple(q.T_cam_obj.t);
@@ -72,8 +88,9 @@ class Linearisation {
     if (!add_bodies(frame, std::make_index_sequence<kNumBodies + 1>{})) return Status::behind_camera;
     put_base(sums_[kSlot[0]]);
     normal_.cost = misfit_.cost() + shape_misfit_.cost();
-    if (scale_.information > S(0)) eliminate_scale();
     normal_.chi2 = misfit_.chi2;
+    normal_.shape_chi2 = shape_misfit_.chi2;
+    if (scale_.information > S(0)) eliminate_scale();
     normal_.error2 = misfit_.error2;
     return Status::ok;
   }
@@ -162,7 +179,7 @@ class Linearisation {
                   const math::Triple<S>& t, BodyInformation<S>& sum) noexcept {
     for (const PlacedMark<S>* mark = marks; mark != marks + num_marks; ++mark) {
       if (!mark->match->matched || !(mark->match->shape_variance > S(0))) continue;
-      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius};
+      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius + u_ * radius};
       // Edge on it has no shape, and says nothing.
       const Status status = add_shape(circle, mark->arm, *mark->match, sum, shape_misfit_, scale_);
       if (status != Status::ok && status != Status::ill_conditioned) return false;
@@ -199,7 +216,7 @@ class Linearisation {
       gradient *= kRatio, with_scale *= kRatio;
     }
     put(normal_.b[kUnknown], gradient);
-    put(with_scale_[kUnknown], with_scale);
+    put(normal_.scale.with[kUnknown], with_scale);
     put(normal_.H.at(kUnknown, 0), common.force.x);
     put(normal_.H.at(kUnknown, 1), common.force.y);
     put(normal_.H.at(kUnknown, 2), common.force.z);
@@ -249,36 +266,42 @@ class Linearisation {
     normal_.b[0] = force.x, normal_.b[1] = force.y, normal_.b[2] = force.z;
     normal_.b[3] = torque.x, normal_.b[4] = torque.y, normal_.b[5] = torque.z;
     const auto& [with_v, with_w] = sum.scale;
-    with_scale_[0] = with_v.x, with_scale_[1] = with_v.y, with_scale_[2] = with_v.z;
-    with_scale_[3] = with_w.x, with_scale_[4] = with_w.y, with_scale_[5] = with_w.z;
+    auto& with = normal_.scale.with;
+    with[0] = with_v.x, with[1] = with_v.y, with[2] = with_v.z;
+    with[3] = with_w.x, with[4] = with_w.y, with[5] = with_w.z;
   }
 
-  /// Schur's complement: the scale takes the value that suits the step best.
+  /// Schur's complement: the scale steps with the rest, see EliminatedScale::step_of().
   void eliminate_scale() noexcept {
-    const S variance = S(1) / (scale_.information + S(1) / (kPrintScale<S> * kPrintScale<S>));
-    const S u = variance * scale_.pull;
+    constexpr S kCertainty = S(1) / (kPrintScale<S> * kPrintScale<S>);
+    const S per_u = S(1) / (S(1) + u_);  // of the logarithm, for which add_shape() has the derivative
+    auto& [variance, pull, with] = normal_.scale;
+    variance = S(1) / (scale_.information * per_u * per_u + kCertainty);
+    pull = scale_.pull * per_u - kCertainty * u_;
+    for (S& share : with) share *= per_u;
     for (int i = 0; i < model::kDof<M>; ++i) {
-      const S share = with_scale_[static_cast<std::size_t>(i)];
-      normal_.b[static_cast<std::size_t>(i)] -= share * u;
-      for (int j = 0; j <= i; ++j) normal_.H.at(i, j) -= variance * share * with_scale_[static_cast<std::size_t>(j)];
+      const S share = variance * with[static_cast<std::size_t>(i)];
+      normal_.b[static_cast<std::size_t>(i)] -= share * pull;
+      for (int j = 0; j <= i; ++j) normal_.H.at(i, j) -= share * with[static_cast<std::size_t>(j)];
     }
-    normal_.cost -= S(0.5) * scale_.pull * u;
+    normal_.cost += S(0.5) * kCertainty * u_ * u_;
   }
 
   std::array<BodyInformation<S>, kNumSlots> sums_{};
   Misfit<S> misfit_{}, shape_misfit_{};
   ScaleInformation<S> scale_{};
-  std::array<S, static_cast<std::size_t>(model::kDof<M>)> with_scale_{};  ///< information between an unknown and u
+  S u_;
   Normal<M, S>& normal_;
 };
 
-/// H = A^T W A and b = -A^T W e, with Huber weights of the 2-D distances inside W.
+/// H = A^T W A and b = -A^T W e, with Huber weights of the 2-D distances inside W; the marks are taken for
+/// larger by `scale`, relative.
 /// Normal::status is behind_camera when a matched marker is not in front of the camera; the rest is then not set.
 template <class M, class S>
 Normal<M, S> linearise(const Matches<M, S>& matches, const model::Configuration<M, S>& q,
-                       FeatureKind kind = FeatureKind::imaged_circle) noexcept {
+                       FeatureKind kind = FeatureKind::imaged_circle, S scale = S(0)) noexcept {
   Normal<M, S> normal;
-  normal.status = Linearisation<M, S>{normal}.add_matches(matches, q, kind);
+  normal.status = Linearisation<M, S>{scale, normal}.add_matches(matches, q, kind);
   return normal;
 }
 

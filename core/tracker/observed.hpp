@@ -10,17 +10,16 @@ namespace articam::tracker {
 template <class M>
 using Observabilities = std::array<Observability, static_cast<std::size_t>(model::kDof<M>)>;
 
-/// From the covariance that the matches would leave of a coarse knowledge C (variances, m^2 and rad^2):
+/// From the covariance that the equations of the matches, `normal`, would leave of a coarse knowledge C (variances, m^2
+/// and rad^2):
 ///
 ///     P = (A^T W A + C^-1)^-1;   observed below half of C's deviation, held above 99 % of it, else weak
 ///
 /// What the neighbours' correlations take is no observation. All are held where the equations have no solution.
 template <class M, class S>
-Observabilities<M> observe(const Matches<M, S>& matches, const model::Configuration<M, S>& q, FeatureKind kind,
-                           const Vec<S, model::kDof<M>>& C) noexcept {
+Observabilities<M> observe(Normal<M, S> normal, const Vec<S, model::kDof<M>>& C) noexcept {
   constexpr int kDof = model::kDof<M>;
   Observabilities<M> each{};
-  Normal<M, S> normal = linearise(matches, q, kind);
   if (normal.status != Status::ok) return each;
   for (int i = 0; i < kDof; ++i) normal.H.at(i, i) += S(1) / C[i];
   Mat<S, kDof, kDof> P;

@@ -27,17 +27,18 @@ struct PerFreedom {
 struct Options {
   Mode mode{Mode::standard};
   GainProfile gain{};
-  bool feed_forward{false};  ///< s_star_dot of (5); the paper switches it off as too noisy
+  bool feed_forward{false};          ///< s_star_dot of (5); the paper switches it off as too noisy
+  double feed_forward_time_s{0.05};  ///< time constant of its low pass, first order
 
-  double floor_px{0.005};    ///< least standard deviation of a detection; what the model misses beyond it, frames teach
+  double floor_px{0.002};    ///< least standard deviation of a detection; what the model misses beyond it, frames teach
   double max_rms_px{1.5};    ///< a larger residual is no estimate
   double coast_time_s{0.5};  ///< a prediction is worth this long; then lost
   double max_gap_s{1.0};     ///< a longer gap between frames is not integrated
 
   /// Unknown acceleration, as the root of its spectral density (1/s^2 a root hertz): between frames of 30 Hz it moves
-  /// the object by 3.5 mm and 1 degree, tens of times what the markers leave open, so that the estimate lags behind
-  /// nothing.
-  PerFreedom acceleration{1, 5, 1, 5};
+  /// the object by 0.7 mm and 0.2 degrees, ten times what the markers leave open, so that the estimate lags behind
+  /// nothing; and a mark that leaps by a centimetre contradicts it.
+  PerFreedom acceleration{0.2, 1, 0.2, 1};
   /// What is known before anything has been seen: deviation about q0, and of the rates about 0 (1/s).
   PerFreedom start{0.5, 1, 0.5, 1};
   PerFreedom start_rate{0.3, 1, 0.3, 1};

@@ -4,9 +4,9 @@
 /// Three more equations for each mark: M of its imaged ellipse, in the metric plane (imaged_ellipse.hpp). They tell how
 /// far away and how tilted each mark is, so that one mark alone, or a drawer seen along its axis, still inform a joint.
 ///
-/// All marks come from one printer, which may have scaled them. The common factor exp(u) of their radii is a nuisance:
-/// u has the deviation kPrintScale and is eliminated, in every frame anew, so that nothing is built upon a size that
-/// the marks of one frame do not confirm.
+/// All marks come from one printer, which may have scaled them. The common factor 1 + u of their radii is a nuisance: u
+/// has the deviation kPrintScale and is solved for in every frame anew, so that nothing is built upon a size that the
+/// marks of one frame do not confirm.
 
 #include "core/tracker/body_information.hpp"
 #include "core/vision/imaged_ellipse.hpp"
@@ -17,8 +17,8 @@ namespace articam::tracker {
 template <class S>
 inline constexpr S kPrintScale{S(0.005)};
 
-/// The normal equations' part of u:  its information and pull; what it has in common with a body is in the body's
-/// BodyInformation::scale.
+/// The normal equations' part of ln(1 + u):  its information and pull; what it has in common with a body is in the
+/// body's BodyInformation::scale.
 template <class S>
 struct ScaleInformation {
   S information{}, pull{};

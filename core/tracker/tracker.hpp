@@ -12,6 +12,7 @@
 #include "core/tracker/noise_scale.hpp"
 #include "core/tracker/options.hpp"
 #include "core/tracker/paper_law.hpp"
+#include "core/tracker/rival.hpp"
 #include "core/vision/detector.hpp"
 
 namespace articam::tracker {
@@ -44,6 +45,11 @@ class Tracker {
   /// The estimate at a time at which the camera gave nothing, or nothing that can be used. Changes nothing.
   EstimateType coast(Timestamp t, Reason reason = Reason::no_frame) const noexcept;
 
+  /// The newest estimate, carried on to t by its rates: a controller's time is later than the camera's. What has grown
+  /// older than a prediction is worth (Options::coast_time_s) is what coast(t) gives. The past is not predicted: for a
+  /// t before it, the newest estimate itself. Changes nothing.
+  EstimateType predict(Timestamp t) const noexcept;
+
   const vision::Detections& detections() const noexcept { return detections_; }
   bool overloaded() const noexcept { return evidence_.overloaded; }  ///< the newest frame exceeded the detector
   const Matches<Model, Scalar>& matches() const noexcept { return matches_; }
@@ -60,23 +66,25 @@ class Tracker {
   static constexpr int kMaxIterations = 12;
   static constexpr int kSearchRounds = 4;        ///< pairings tried in one frame while q0 is being improved
   static constexpr double kPaperMaxRms_px = 20;  ///< the paper's law lags by many pixels and knows no residual
-  /// Mean squared normalised distance above which a frame's matches contradict each other.
-  static constexpr Scalar kConsistent{9};
 
   Reason refusal(Timestamp t) const noexcept;
   bool fits(const ImageView& image) const noexcept;
   EstimateType follow(Timestamp t) noexcept;
   void begin(Timestamp t) noexcept;
-  void predict(const Mat<Scalar, kDof, kDof>& P) noexcept;
+  void expect(const Mat<Scalar, kDof, kDof>& P) noexcept;
   void look(const ImageView& image) noexcept;
   void match() noexcept;
+  void undo_delays() noexcept;
   void iterate() noexcept;
+  void doubt() noexcept;
   void search() noexcept;
   void acquire() noexcept;
   bool is_found() const noexcept;
   void settle(const Configuration& q) noexcept;
   void paper_step() noexcept;
+  void filter_feature_rates() noexcept;
   void weigh() noexcept;
+  void learn_noise() noexcept;
   EstimateType judge(Timestamp t) noexcept;
   Scalar rms_px() const noexcept;
   FeatureKind feature_kind() const noexcept {
@@ -91,25 +99,28 @@ class Tracker {
   MotionPrior<Model, Scalar> motion_;
   PaperIntegrator<Model, Scalar> paper_;
   Acquisition<Model, Scalar> acquisition_;
-  NoiseScale<Scalar> noise_{};
+  Rival<Model, Scalar> rival_{};
+  NoiseScale<Scalar> noise_{}, shape_noise_{};
   bool has_start_{false};  ///< a place to search from first: given, or where the object was last seen
   bool any_frame_{false};
   Timestamp t_frame_{};  ///< of the last frame that was not refused
+  EstimateType newest_{};
 
   // Buffers of one frame.
   bool following_{};  ///< there is a recent estimate; otherwise the whole frame is searched
   Configuration q_{};
   Vec<Scalar, kDof> paper_rates_ = Vec<Scalar, kDof>::Zero();  ///< of the paper's last step
+  Vec<Scalar, System<Model, Scalar>::kRows> s_star_dot_ = Vec<Scalar, System<Model, Scalar>::kRows>::Zero();
   Scalar period_s_{};
   Scalar rms_px_{};
   vision::Detections detections_{};
   Features<Model, Scalar> features_{};
-  Matches<Model, Scalar> matches_{};
+  Matches<Model, Scalar> measured_{};  ///< all that were paired
+  Matches<Model, Scalar> matches_{};   ///< what of them is believed
   Matches<Model, Scalar> previous_matches_{};
   Consensus<Model, Scalar> found_{};
   Evidence evidence_{};
   std::array<Observability, static_cast<std::size_t>(kDof)> observability_{};
-  int spare_{};  ///< equations beyond the degrees of freedom that they observe
 };
 
 }  // namespace articam::tracker

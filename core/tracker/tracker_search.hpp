@@ -12,7 +12,7 @@ void Tracker<Model, Scalar>::search() noexcept {
   int iterations = 0;
   for (int round = 0; round < kSearchRounds; ++round) {
     const bool last = round + 1 == kSearchRounds;
-    if (round > 0) predict(last ? kKnown : motion_.covariance()), match();
+    if (round > 0) expect(last ? kKnown : motion_.covariance()), match();
     if (last) {
       iterate();
     } else {
@@ -35,12 +35,14 @@ bool Tracker<Model, Scalar>::is_found() const noexcept {
 
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::acquire() noexcept {
+  // Weighed against clutter: what five deviations hold is loose enough, however little is known of the noise.
+  const Scalar noise = std::min(noise_.factor(), Scalar(25));
   if (is_found()) {
-    const auto better = acquisition_.better_than(q_, detections_, noise_.factor());
+    const auto better = acquisition_.better_than(q_, detections_, noise);
     if (better.ok()) settle(better.value());
     return;
   }
-  const Acquired<Model, Scalar>& acquired = acquisition_.search(detections_, noise_.factor());
+  const Acquired<Model, Scalar>& acquired = acquisition_.search(detections_, noise);
   if (acquired.certainty == Certainty::sure) {
     settle(acquired.candidates[0].q);
   } else if (acquired.certainty == Certainty::ambiguous && has_start_) {
@@ -57,8 +59,9 @@ void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
   evidence_ = {.overloaded = evidence_.overloaded};
   rms_px_ = Scalar(0);
   motion_.restart(q);
+  rival_ = {};
   q_ = q;
-  predict(math::zeros<Mat<Scalar, kDof, kDof>>());
+  expect(math::zeros<Mat<Scalar, kDof, kDof>>());
   match();
   iterate();
   weigh();

@@ -32,6 +32,7 @@ enum class Reason : std::uint8_t {
   camera_gone,     ///< the camera was unplugged, or cannot be opened
   late_result,     ///< good, but out later than its age allows
   ambiguous,       ///< two configurations explain the frame, and no start decides
+  joint_limit,     ///< a joint is held at its limit, and the marks want it farther
 };
 
 constexpr std::string_view name(TrackingStatus status) noexcept {
@@ -42,7 +43,7 @@ constexpr std::string_view name(Reason reason) noexcept {
   constexpr std::string_view kNames[]{"none",           "no_start",    "no_frame",      "stale_frame",
                                       "image_mismatch", "few_markers", "not_converged", "large_residual",
                                       "outlier",        "weak_joint",  "overload",      "camera_stalled",
-                                      "camera_gone",    "late_result", "ambiguous"};
+                                      "camera_gone",    "late_result", "ambiguous",     "joint_limit"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

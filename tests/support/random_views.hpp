@@ -88,7 +88,8 @@ inline vision::Detection detection_of(vision::MarkKind kind, const Vec<double, 2
   vision::Detection detection;
   detection.kind = kind;
   detection.outer = vision::to_q16(ellipse);
-  detection.centre_variance_q24 = static_cast<std::uint32_t>((1 << 24) * deviation_px * deviation_px + 1);
+  detection.centre_variance_q24 = detection.axis_variance_q24 =
+      static_cast<std::uint32_t>((1 << 24) * deviation_px * deviation_px + 1);
   return detection;
 }
 

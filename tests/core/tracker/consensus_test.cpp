@@ -12,55 +12,111 @@ namespace {
 
 using M = models::PrinterDrawer;
 constexpr double kNoise_px = 0.05;
+constexpr int kIterations = 20;
+using Step = Vec<double, 8>;
 
-tracker::Prior<M, double> tracking_prior(const model::Configuration<M, double>& mean) {
-  return tracker::independent_prior<M, double>(mean, Vec<double, 8>::Constant(0.02 * 0.02));
+/// What frames before have told: to `deviation`, m and rad.
+tracker::Prior<M, double> known_to(double deviation, const model::Configuration<M, double>& mean) {
+  return tracker::independent_prior<M, double>(mean, Step::Constant(deviation * deviation));
 }
 
-TEST(Consensus, LeavesOutAWildBaseMarkerAndAnswersAsIfItWereMissing) {
-  const auto truth = test::nominal_printer<M, double>();
-  test::Random random{14};
+class ConsensusTest : public testing::Test {
+ protected:
+  using Configuration = model::Configuration<M, double>;
+  tracker::Matches<M, double> observe() {
+    return test::observe<M, double>(truth_, tracker::FeatureKind::imaged_circle, kNoise_px, &random_);
+  }
+  static void displace(tracker::Match<double>& match, Vec<double, 2> by_px) { match.s_star += by_px / test::kFocal_px; }
+  /// Inside three deviations, each degree of freedom.
+  void expect_honest(const tracker::Solution<M, double>& solution) const {
+    const Step error = model::difference(truth_, solution.q);
+    for (int i = 0; i < 8; ++i) EXPECT_LT(std::abs(error[i]), 3.5 * std::sqrt(solution.covariance(i, i))) << i;
+  }
+
+  const Configuration truth_ = test::nominal_printer<M, double>();
+  test::Random random_{14};
+};
+
+TEST_F(ConsensusTest, LeavesOutAWildBaseMarkerAndAnswersAsIfItWereMissing) {
+  const auto prior = known_to(0.02, truth_);
   for (std::size_t wild = 0; wild < 4; ++wild) {
     for (const double off_px : {5.0, 12.0, 30.0}) {
-      auto matches = test::observe<M, double>(truth, tracker::FeatureKind::imaged_circle, kNoise_px, &random);
+      auto matches = observe();
       auto without = matches;
       without[wild].matched = false;
-      matches[wild].s_star += Vec<double, 2>{0.6, -0.8} * (off_px / test::kFocal_px);
-      const auto prior = tracking_prior(truth);
-      const auto found = tracker::solve_with_consensus(matches, prior, truth, 9.0, 20);
-      EXPECT_EQ(found.outlier, static_cast<int>(wild)) << off_px;
-      EXPECT_FALSE(matches[wild].matched);
-      const auto clean = tracker::solve(without, prior, truth, 20);
+      displace(matches[wild], Vec<double, 2>{0.6, -0.8} * off_px);
+      const auto found = tracker::solve_with_consensus(matches, prior, truth_, kIterations);
+      EXPECT_EQ(found.left_out.num_marks(), 1);
+      EXPECT_FALSE(matches[wild].matched) << off_px;
+      const auto clean = tracker::solve(without, prior, truth_, kIterations);
       EXPECT_LT(model::difference(clean.q, found.solution.q).norm(), 1e-12);
     }
   }
 }
 
-TEST(Consensus, BlamesNobodyWhenAllAgree) {
-  const auto truth = test::nominal_printer<M, double>();
-  test::Random random{15};
+TEST_F(ConsensusTest, BlamesNobodyWhenAllAgree) {
   for (int i = 0; i < 200; ++i) {
-    auto matches = test::observe<M, double>(truth, tracker::FeatureKind::imaged_circle, kNoise_px, &random);
-    EXPECT_EQ(tracker::solve_with_consensus(matches, tracking_prior(truth), truth, 9.0, 20).outlier, -1);
+    auto matches = observe();
+    const auto found = tracker::solve_with_consensus(matches, known_to(0.02, truth_), truth_, kIterations);
+    EXPECT_EQ(found.left_out.num_marks(), 0);
+    EXPECT_FALSE(found.left_out.shapes || found.contradictory);
     EXPECT_EQ((tracker::count<M, double>(matches)), 6);
   }
 }
 
-TEST(Consensus, SaysThatTwoWildMarkersContradictTheOthers) {
-  const auto truth = test::nominal_printer<M, double>();
-  auto matches = test::observe<M, double>(truth, tracker::FeatureKind::imaged_circle, kNoise_px);
-  std::swap(matches[0].s_star, matches[1].s_star);
-  const auto found = tracker::solve_with_consensus(matches, tracking_prior(truth), truth, 9.0, 20);
-  EXPECT_EQ(found.outlier, -1);
-  EXPECT_TRUE(found.contradictory);
+TEST_F(ConsensusTest, LeavesOutTwoMarkersThatChangedPlaces) {
+  for (int i = 0; i < 20; ++i) {
+    auto matches = observe();
+    std::swap(matches[0].s_star, matches[1].s_star);
+    const auto found = tracker::solve_with_consensus(matches, known_to(0.02, truth_), truth_, kIterations);
+    EXPECT_FALSE(matches[0].matched || matches[1].matched);
+    EXPECT_FALSE(found.contradictory);
+    expect_honest(found.solution);
+  }
 }
 
-TEST(Consensus, BlamesNobodyWithoutSpareEquations) {
-  const auto truth = test::nominal_printer<M, double>();
-  auto matches = test::observe<M, double>(truth, tracker::FeatureKind::imaged_circle, kNoise_px);
-  matches[0].matched = false;
-  matches[1].s_star.x() += 0.02;
-  EXPECT_EQ(tracker::solve_with_consensus(matches, tracking_prior(truth), truth, 9.0, 20).outlier, -1);
+TEST_F(ConsensusTest, SaysThatThreeWildMarkersContradictTheOthers) {
+  auto matches = observe();
+  for (const std::size_t i : {0U, 1U, 2U}) displace(matches[i], {random_.uniform(20, 60), random_.uniform(20, 60)});
+  EXPECT_TRUE(tracker::solve_with_consensus(matches, known_to(0.02, truth_), truth_, kIterations).contradictory);
+}
+
+TEST_F(ConsensusTest, RejectsADrawerMarkerThatThePriorContradicts) {
+  for (const std::size_t wild : {4U, 5U}) {
+    auto matches = observe();
+    displace(matches[wild], {12, 0});  // 16 mm along the drawer's front, which is known to 1 mm
+    const auto found = tracker::solve_with_consensus(matches, known_to(0.001, truth_), truth_, kIterations);
+    EXPECT_FALSE(matches[wild].matched);
+    expect_honest(found.solution);
+  }
+}
+
+TEST_F(ConsensusTest, DisputesAJointWhereNothingTellsWhichOfItsMarkersLies) {
+  Configuration pulled = truth_;
+  pulled.joints[0] += 0.02;
+  auto matches = observe();
+  // Marker 4 says that the drawer is farther open, marker 5 that it is not, or else has another distance from it.
+  matches[4] = test::observe<M, double>(pulled, tracker::FeatureKind::imaged_circle, kNoise_px, &random_)[4];
+  const auto found = tracker::solve_with_consensus(matches, known_to(0.1, truth_), truth_, kIterations);
+  EXPECT_TRUE(found.disputed[6]);
+  for (int i = 0; i < 6; ++i) EXPECT_FALSE(found.disputed[static_cast<std::size_t>(i)]) << i;
+  expect_honest(found.solution);
+}
+
+TEST_F(ConsensusTest, LeavesTheShapesOutWhereAllOfThemLie) {
+  auto matches = observe();
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto kinematics = model::forward_kinematics<M, double>(truth_.joints);
+    const auto circle =
+        tracker::circle_in_camera(truth_.T_cam_obj, kinematics.markers[i], M::kMarkers[i].outer_diameter_m);
+    const Mat<double, 2, 2> shape = vision::imaged_ellipse(circle).value().M;
+    matches[i].shape = 1.1 * Vec<double, 3>{shape(0, 0), shape(1, 0), shape(1, 1)};  // overexposed
+    matches[i].shape_variance = matches[i].variance;
+  }
+  const auto found = tracker::solve_with_consensus(matches, known_to(0.02, truth_), truth_, kIterations);
+  EXPECT_TRUE(found.left_out.shapes);
+  EXPECT_EQ(found.left_out.num_marks(), 0);
+  expect_honest(found.solution);
 }
 
 }  // namespace

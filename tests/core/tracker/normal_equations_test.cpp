@@ -175,7 +175,7 @@ TEST(NormalEquationsStep, LeavesItsOutputAloneWhereTheMatrixIsSingularOrNotANumb
   Mat<double, 8, 8> covariance = Mat<double, 8, 8>::Constant(7);
   const auto singular = tracker::linearise(matches, q);
   EXPECT_EQ((tracker::damped_step<M, double>(singular, 0.0, step)), Status::ill_conditioned);
-  EXPECT_EQ((tracker::invert<M, double>(singular.H, covariance)), Status::ill_conditioned);
+  EXPECT_EQ((math::invert(singular.H, covariance)), Status::ill_conditioned);
   matches = test::observe<M, double>(q, FeatureKind::imaged_circle);
   matches[2].variance = std::numeric_limits<double>::infinity();
   matches[2].s_star.x() = std::numeric_limits<double>::quiet_NaN();
