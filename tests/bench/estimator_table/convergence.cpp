@@ -72,9 +72,10 @@ void solved(const Run& run, Table& table, const Start& far, bool open, const Noi
 void restarted(const Run& run, Table& table, const Start& far) {
   constexpr Noise kNoise{0.1, 0.1};
   constexpr int kMostFrames = 10;
+  constexpr double kPrintScale = 0.005;  // as the tracker takes it
   const auto truth = nominal<Printer>();
   const Images images = images_of<Printer>(truth);
-  const Vec8 bound = deviations(information<Printer>(truth, variances_of(kNoise)));
+  const Vec8 bound = deviations(information<Printer>(truth, variances_of(kNoise), 1, kPrintScale));
   const auto tracker = std::make_unique<PrinterTracker>(sim::PaperScenario::camera(), without_floor());
   test::Random random{run.seed};
   int at_once = 0, arrived = 0, wrong = 0;

@@ -28,13 +28,17 @@ struct Flips {
   int flips{}, flipped{}, missing{}, frames{};
 };
 
-/// Flipped is an estimate whose plane is nearer to the mirror image's than to the true one, if these are 3 degrees
-/// apart or more.
-bool is_flipped(const PrinterConfiguration& truth, const PrinterConfiguration& q) {
+/// Flipped is an estimate whose plane is nearer to the mirror image's than to the true one, where the two are apart by
+/// 3 degrees and by five deviations of what the frame can tell of that tilt: no noise of a frame leads there.
+bool is_flipped(const PrinterConfiguration& truth, const PrinterConfiguration& q, const Noise& noise) {
   const Vec<double, 3> middle = truth.T_cam_obj * Vec<double, 3>{0, -0.04, 0}, u = middle.normalized();
   const Vec<double, 3> n = truth.T_cam_obj.R * Vec<double, 3>::UnitZ(), mirrored = 2 * u.dot(n) * u - n;
   const Vec<double, 3> given = q.T_cam_obj.R * Vec<double, 3>::UnitZ();
-  return (mirrored - n).norm() > 3 * kDegree && (given - mirrored).norm() < (given - n).norm();
+  const double apart = (mirrored - n).norm();
+  if (apart < 3 * kDegree || (given - mirrored).norm() > (given - n).norm()) return false;
+  const Mat8 covariance = information<Printer>(truth, variances_of(noise), 1, 0.005).inverse();
+  const Vec<double, 3> axis = n.cross(mirrored).normalized();
+  return apart > 5 * std::sqrt(axis.dot(covariance.block<3, 3>(3, 3) * axis));
 }
 
 void follow(const View& view, std::uint64_t seed, Flips& count) {
@@ -55,7 +59,7 @@ void follow(const View& view, std::uint64_t seed, Flips& count) {
       ++count.missing;
       continue;
     }
-    const bool is = is_flipped(truth, estimate.q);
+    const bool is = is_flipped(truth, estimate.q, noise);
     count.flips += is && !was ? 1 : 0, count.flipped += is ? 1 : 0;
     was = is;
   }
@@ -68,9 +72,8 @@ void flips(const Run& run, Table& table) {
                            {0.7, 0.3, 0, false},
                            {1.2, 0.3, 0, false},
                            {2, 0.1, 0, false},
-                           {2, 0.3, 0, false},
-                           {2, 0.3, 0, true},
-                           {2, 0.3, 0.08, false}}) {
+                           {2, 0.1, 0, true},
+                           {2, 0.1, 0.08, false}}) {
     const auto what = fmt::format("{} m, {} px, {}, drawer {}", view.z_m, view.noise_px,
                                   view.shapes ? "centres and shapes" : "centres", view.open_m > 0 ? "open" : "closed");
     run.progress(what);

@@ -151,6 +151,35 @@ void drawer_marker_off(const Run& run, Table& table, const Watching& watching, d
             percent(inside_rejected, rejected) >= 99);
 }
 
+/// A drawer marker that has come off and stays there for a second: what its joint is called afterwards.
+void drawer_marker_gone(const Run& run, Table& table, const Watching& watching) {
+  using tracker::Observability;
+  constexpr int kFrames = 30;
+  const auto copy = std::make_unique<PrinterTracker>(watching.tracker);
+  test::Random random{run.seed + 4};
+  const int trials = run.part(1000);
+  int trusted = 0, inside = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    *copy = watching.tracker;
+    Images moved = watching.images;
+    push_off(moved[kBaseMarks + any_of(kMarks - kBaseMarks, random)], 5, 100, random);
+    PrinterEstimate estimate;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      const auto marks = detections_of(observe(moved, watching.noise, random), watching.noise);
+      estimate = copy->step(marks, false, time_of(Watching::kFrames + frame));
+    }
+    const Vec8 error = watching.error(estimate);
+    const auto& seen_as = estimate.observability;
+    trusted += seen_as[6] == Observability::observed && seen_as[7] == Observability::observed ? 1 : 0;
+    inside +=
+        error[6] * error[6] <= 9 * estimate.covariance(6, 6) && error[7] * error[7] <= 9 * estimate.covariance(7, 7)
+            ? 1
+            : 0;
+  }
+  table.tell("tracker: a drawer marker off by 5-100 px for a second: both joints called observed, both inside 3 sigma",
+             fmt::format("{:.1f} %, {:.1f} %", 100.0 * trusted / trials, 100.0 * inside / trials));
+}
+
 }  // namespace
 
 void outliers(const Run& run, Table& table) {
@@ -161,6 +190,7 @@ void outliers(const Run& run, Table& table) {
     if (shape_px <= 0) swapped_and_off_as_matches(run, table, *watching);
     drawer_marker_off(run, table, *watching, 5, 16);
     drawer_marker_off(run, table, *watching, 16, 100);
+    drawer_marker_gone(run, table, *watching);
   }
 }
 
