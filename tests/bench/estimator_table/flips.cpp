@@ -29,7 +29,7 @@ struct Flips {
 };
 
 /// Flipped is an estimate whose plane is nearer to the mirror image's than to the true one, where the two are apart by
-/// 3 degrees and by five deviations of what the frame can tell of that tilt: no noise of a frame leads there.
+/// 3 degrees and by five deviations of that tilt, as the bound has it.
 bool is_flipped(const PrinterConfiguration& truth, const PrinterConfiguration& q, const Noise& noise) {
   const Vec<double, 3> middle = truth.T_cam_obj * Vec<double, 3>{0, -0.04, 0}, u = middle.normalized();
   const Vec<double, 3> n = truth.T_cam_obj.R * Vec<double, 3>::UnitZ(), mirrored = 2 * u.dot(n) * u - n;
