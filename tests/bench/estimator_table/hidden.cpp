@@ -19,7 +19,7 @@ void hidden(const Run& run, Table& table) {
   auto truth = nominal<Printer>();
   tracker->set_start(truth);
   RootMeanSquare base, base_seen;
-  int inside = 0, inside_q2 = 0, estimates = 0, held = 0, first = 0;
+  int inside = 0, inside_q2 = 0, estimates = 0, held = 0;
   double last_deviation = 0, last_error2 = 0;
   const int cycles = run.part(200), frames = kLearning + cycles * kCycle;
   for (int frame = 0; frame < frames; ++frame) {
@@ -38,7 +38,6 @@ void hidden(const Run& run, Table& table) {
     held += estimate.observability[6] == tracker::Observability::held ? 1 : 0;
     inside += error[6] * error[6] <= 9 * estimate.covariance(6, 6) ? 1 : 0;
     inside_q2 += error[7] * error[7] <= 9 * estimate.covariance(7, 7) ? 1 : 0;
-    first += phase == kSeen ? 1 : 0;
     if (phase != kCycle - 1) continue;
     last_deviation += std::sqrt(estimate.covariance(6, 6)) / cycles;
     last_error2 += error[6] * error[6] / cycles;
