@@ -9,7 +9,7 @@ case ${1-} in
 Usage: tools/estimator_table.sh [OPTION...]
 
 Builds articam-estimator-table and runs it: errors against the Cramer-Rao bound, covariance, marks that lie, starts that
-converge, hidden marks, flips, a moving drawer, size and shape. About a minute. Options are the program's:
+converge, hidden marks, flips, a moving drawer, size and shape. Half a minute. Options are the program's:
   --only NAME    crb, nees, outliers, convergence, hidden, flips, moving or shape; may be given again
   --trials N     of crb; the other items take their part of it (20000)
   --seed N       of noise, starts and views (1)

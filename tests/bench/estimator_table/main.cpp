@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       "beside what is asked for, as markdown tables; what misses its target is bold. Frames are the exact images of "
       "the\n"
       "marks with Gaussian noise, their variances told truly (so the tracker's floor_px is 0), but for those that are\n"
-      "rendered and detected. Minutes in full.\n\n"
+      "rendered and detected. Half a minute in full.\n\n"
       "Example:  articam-estimator-table --only crb --only nees > table.md",
       "articam-estimator-table"};
   app.set_version_flag("--version", ARTICAM_VERSION);
