@@ -166,7 +166,8 @@ class Linearisation {
       std::array<PlacedMark<S>, count_with(kFirst)> marks;
       PlacedMark<S>* next = marks.data();
       ((next = place<kFirst, kMarker>(frame, next)), ...);
-      const S radius = frame.kind == FeatureKind::point ? S(0) : static_cast<S>(0.5 * row.outer_diameter_m);
+      const S radius =
+          frame.kind == FeatureKind::point ? S(0) : static_cast<S>(0.5 * row.outer_diameter_m) * (S(1) + u_);
       const math::Triple<S> normal = along(frame.places[kBody + 1].axes, row.normal);
       BodyInformation<S>& sum = sums_[kSlot[kBody + 1]];
       if (add_centres(marks.data(), marks.size(), normal, radius, frame.t_cam_obj, sum, misfit_) != Status::ok)
@@ -179,7 +180,7 @@ class Linearisation {
                   const math::Triple<S>& t, BodyInformation<S>& sum) noexcept {
     for (const PlacedMark<S>* mark = marks; mark != marks + num_marks; ++mark) {
       if (!mark->match->matched || !(mark->match->shape_variance > S(0))) continue;
-      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius + u_ * radius};
+      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius};
       // Edge on it has no shape, and says nothing.
       const Status status = add_shape(circle, mark->arm, *mark->match, sum, shape_misfit_, scale_);
       if (status != Status::ok && status != Status::ill_conditioned) return false;

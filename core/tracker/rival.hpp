@@ -48,7 +48,7 @@ class Rival {
   }
   /// Turned by more than a degree and by more than 3 deviations.
   static bool is_distinct(const Solution<M, S>& a, const Solution<M, S>& b) noexcept {
-    const auto turn = model::difference(a.q, b.q).template segment<3>(3);
+    const Vec<S, 3> turn = model::difference(a.q, b.q).template segment<3>(3);
     const S variance = a.covariance(3, 3) + a.covariance(4, 4) + a.covariance(5, 5);
     return turn.squaredNorm() > S(3e-4) && turn.squaredNorm() > S(9) * variance;
   }

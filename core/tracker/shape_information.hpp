@@ -29,8 +29,9 @@ struct ScaleInformation {
 ///
 ///     dM = D_c (v + omega x arm) + D_n (omega x n) + g u,    g = -D_c c
 ///
-/// as a scene and its scaled image look alike. `arm` is the circle's centre from the turning point.
-/// Errors  those of moving_ellipse(); nothing is then added.
+/// as a scene and its scaled image look alike. The same holds of the imaged centre, which lies off the circle's by
+/// r^2: add_centres() has what it says of the body, and here is what it says of u. `arm` is the circle's centre from
+/// the turning point.  Errors  those of moving_ellipse(); nothing is then added.
 template <class S>
 Status add_shape(const vision::Circle<S>& circle, const math::Triple<S>& arm, const Match<S>& match,
                  BodyInformation<S>& body, Misfit<S>& misfit, ScaleInformation<S>& scale) noexcept {
@@ -41,15 +42,21 @@ Status add_shape(const vision::Circle<S>& circle, const math::Triple<S>& arm, co
   const T c = math::to_triple(circle.centre), t = c - arm;
   const std::array<S, 3> d{match.shape[0] - ellipse.M(0, 0), match.shape[1] - ellipse.M(1, 0),
                            match.shape[2] - ellipse.M(1, 1)};
+  const Vec<S, 2> e = match.s_star - ellipse.centre;
   const S weight = misfit.weigh(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], S(1) / match.shape_variance);
-  for (int i = 0; i < 3; ++i) {
-    const T f{-L(2 + i, 0), -L(2 + i, 1), -L(2 + i, 2)};
-    const T w = -T{L(2 + i, 3), L(2 + i, 4), L(2 + i, 5)} - cross(t, f);
-    const S g = -dot(f, c), pull = weight * d[static_cast<std::size_t>(i)];
-    body.add_row(f, w, weight);
-    body.pull += {pull * f, pull * w};
-    body.scale += {weight * g * f, weight * g * w};
-    scale.information += weight * g * g;
+  const S centre_weight = math::huber_weight(e.squaredNorm() / match.variance, kHuberDistance<S>) / match.variance;
+  for (int i = 0; i < 5; ++i) {
+    const T f{-L(i, 0), -L(i, 1), -L(i, 2)};
+    const T w = -T{L(i, 3), L(i, 4), L(i, 5)} - cross(t, f);
+    const bool of_centre = i < 2;
+    const S g = -dot(f, c), row_weight = of_centre ? centre_weight : weight;
+    const S pull = row_weight * (of_centre ? e[i] : d[static_cast<std::size_t>(i - 2)]);
+    if (!of_centre) {
+      body.add_row(f, w, row_weight);
+      body.pull += {pull * f, pull * w};
+    }
+    body.scale += {row_weight * g * f, row_weight * g * w};
+    scale.information += row_weight * g * g;
     scale.pull += pull * g;
   }
   return Status::ok;

@@ -85,7 +85,6 @@ tracker::Prior<Printer, double> expectation(const Watching& watching, std::uint6
 
 /// A tracker takes marks for markers by where they are; two markers swapped are a matter of the solver.
 void swapped_and_off_as_matches(const Run& run, Table& table, const Watching& watching) {
-  constexpr double kConsistent = 9;  // as the tracker has it
   const auto prior = expectation(watching, run.seed);
   test::Random random{run.seed + 2};
   for (const bool swapped : {false, true}) {
@@ -103,7 +102,7 @@ void swapped_and_off_as_matches(const Run& run, Table& table, const Watching& wa
         push_off(seen[first], 5, 100, random);
       }
       auto matches = matches_of<Printer, double>(seen, watching.noise);
-      const auto found = tracker::solve_with_consensus<Printer, double>(matches, prior, prior.mean, kConsistent, 12);
+      const auto found = tracker::solve_with_consensus<Printer, double>(matches, prior, prior.mean, 12);
       with.add(model::difference<Printer, double>(watching.truth, found.solution.q));
     }
     compare(table,
