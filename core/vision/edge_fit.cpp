@@ -11,14 +11,6 @@
 namespace articam::vision {
 namespace {
 
-// A mark's neighbours reach into the rays' ends, the more the smaller it is and the wider its edge: 0.02 a radius for
-// an edge of a pixel's width and a round mark, more for flat ones and for those below 12 px.
-std::int64_t gain_doubt_q16(const Ellipse& e, std::int64_t radius_q16, std::int64_t width_px_q16) noexcept {
-  constexpr std::int64_t kSmall_q16 = 12 * kOne_q16;
-  const std::int64_t minor = minor_q16(e), doubt_q16 = width_px_q16 / 50 * radius_q16 / minor;
-  return minor < kSmall_q16 ? doubt_q16 * kSmall_q16 / minor : doubt_q16;
-}
-
 // A window that ends on the edge's flanks shows it narrower than it is, and its curvature moves it inwards by more than
 // its width tells: from w = 0.085 h^2 on as if it were 1 + 15 (w / h^2 - 0.085) as wide, three times at most. Found by
 // measuring rendered rings of 12 to 72 px under blurs of 0.4 to 2.5 px. In a hole, of which the window reads most, the
@@ -33,6 +25,7 @@ std::int64_t whole_width_q16(std::int64_t seen_q16, std::int64_t half_window_q16
 
 struct Pass {
   int rays;
+  std::int32_t reach_q16;
   std::int32_t half_window_q16;
   std::int64_t radius_q16;  // mean radius of the ellipse to be improved, px
   int sign;
@@ -42,8 +35,42 @@ struct Pass {
 // What the last pass has seen of the edge, in squared radii.
 struct Edge {
   std::int64_t width_q16;    // its variance
-  std::int64_t doubted_q32;  // RayOffsets::doubted_q32
+  std::int64_t doubted_q32;  // variance of the centre that is left by not knowing how even the light is
 };
+
+// The gain by which a mark's neighbours look like light. Its border and its hole's end a tenth of a radius beyond the
+// window's reach at least, and blur brings in what lies there: 0.0038 where that is as far as the edge is wide, and
+// with the square of the nearness, 0.016 at most; more for flat marks, whose border perspective makes lopsided. Found
+// by measuring rendered rings of 12 to 72 px, tilted by up to 60 degrees, in clutter.
+std::int64_t leak_q16(const Ellipse& e, const Pass& pass, std::int64_t width_px_q16) noexcept {
+  constexpr std::int64_t kLeak_q16 = 38 * kOne_q16 / 10000, kMost_q16 = 16 * kOne_q16 / 1000,
+                         kMostTimes_q16 = 16 * kOne_q16;
+  static_assert(kLeak_q16 * (square(kMostTimes_q16 * 16) >> 16) < std::int64_t{1} << 62, "products fit");
+  const std::int64_t minor = minor_q16(e), flat_q16 = std::min((pass.radius_q16 << kQ16) / minor, kMostTimes_q16);
+  const std::int64_t beyond_q16 = pass.reach_q16 + kOne_q16 / 10 - pass.half_window_q16;
+  const std::int64_t near_q16 = std::min((width_px_q16 << kQ16) / (beyond_q16 * minor >> kQ16), kMostTimes_q16);
+  return std::min(kLeak_q16 * (square(flat_q16 * near_q16 >> kQ16) >> kQ16) >> kQ16, kMost_q16);
+}
+
+// The part of the shift that the rays show that is the light's. Where its square is p, and noise and neighbours alone
+// make it v in each coordinate, the odds are (p / 6v)^3. `doubted_q32`: v where it is believed, and where that is
+// uncertain the distance of both answers.
+Harmonic believed_q16(const RayOffsets& offsets, std::int64_t scatter_q16, std::int64_t leak_q16,
+                      std::int64_t& doubted_q32) noexcept {
+  const Harmonic& light = offsets.light_q16;
+  const std::int64_t apart_q16 = kOne_q16 - offsets.shared_q16;
+  const std::int64_t noise_q32 = (scatter_q16 << 17) / offsets.rays * offsets.shared_q16 / apart_q16;
+  constexpr std::int64_t kMost_q32 = std::int64_t{16} << 32, kMost_q8 = 16 << 8;  // four samples, as rays' offsets
+  static_assert(6 * kMost_q32 < std::int64_t{1} << 54 && kMost_q8 * kMost_q8 * kMost_q8 < std::int64_t{1} << 40);
+  const std::int64_t v_q32 = std::min(noise_q32 + square(leak_q16 * offsets.per_gain_q16 >> kQ16), kMost_q32);
+  const std::int64_t p_q32 = square(light.a) + square(light.b);
+  const std::int64_t against_q8 = std::min((6 * v_q32 << 8) / std::max<std::int64_t>(p_q32, 1), kMost_q8);
+  const std::int64_t cube_q24 = against_q8 * against_q8 * against_q8;
+  const std::int64_t belief_q16 = (std::int64_t{1} << (24 + kQ16)) / ((1 << 24) + cube_q24);
+  const std::int64_t unsure_q16 = belief_q16 * (kOne_q16 - belief_q16) >> kQ16;
+  doubted_q32 = (v_q32 >> kQ16) * belief_q16 + (p_q32 >> (kQ16 + 1)) * unsure_q16;
+  return {light.a * belief_q16 >> kQ16, light.b * belief_q16 >> kQ16};
+}
 
 // One step: reads the rays, moves the ellipse. False where there is no edge all round.
 bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge) noexcept {
@@ -63,16 +90,20 @@ bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge)
   const std::int64_t width_px_q16 =
       radii(integer_sqrt((profile.variance_q16 + kOfPixel_q16) << kQ16)) * pass.radius_q16 >> kQ16;
   RayOffsets offsets;
-  find_offsets(samples, profile, crosses, gain_doubt_q16(fit.ellipse, pass.radius_q16, width_px_q16), offsets);
+  find_offsets(samples, profile, crosses, pass.half_window_q16, offsets);
 
-  const Harmonic centre = offsets.harmonic_q16(1), shape = offsets.harmonic_q16(2);
+  const Harmonic seen = offsets.harmonic_q16(1), shape = offsets.harmonic_q16(2);
+  const std::int64_t scatter_q16 = offsets.scatter_q16(seen, shape);
+  std::int64_t doubted_q32;
+  const Harmonic light = believed_q16(offsets, scatter_q16, leak_q16(fit.ellipse, pass, width_px_q16), doubted_q32);
+  const Harmonic centre{seen.a + light.a, seen.b + light.b};
   if (pass.judged) {
-    fit.roughness_q16 = static_cast<std::int32_t>(radii(integer_sqrt(offsets.scatter_q16(centre, shape) << kQ16)));
+    fit.roughness_q16 = static_cast<std::int32_t>(radii(integer_sqrt(scatter_q16 << kQ16)));
     const Harmonic third = offsets.harmonic_q16(3), fourth = offsets.harmonic_q16(4);
     fit.corners_q16 = static_cast<std::int32_t>(
         radii(integer_sqrt(square(third.a) + square(third.b) + square(fourth.a) + square(fourth.b))));
   }
-  edge = {radii(radii(profile.variance_q16)), radii(radii(offsets.doubted_q32))};
+  edge = {radii(radii(profile.variance_q16)), radii(radii(doubted_q32))};
   Ellipse& e = fit.ellipse;
   e.u_q16 += static_cast<std::int32_t>(e.m00_q16 * radii(centre.a) >> kQ16);
   e.v_q16 += static_cast<std::int32_t>((e.m10_q16 * radii(centre.a) + e.m11_q16 * radii(centre.b)) >> kQ16);
@@ -85,11 +116,12 @@ std::uint32_t to_variance_q24(std::int64_t variance_q24) noexcept {
 }
 
 // Rays that read the same pixels know less than as many independent ones: how many times their scatter's share the
-// centre's variance is, by the distance of neighbours along the edge. Measured, 12 to 72 px, blur 0.7 to 2 px.
-std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays) noexcept {
+// centre's variance is, by the distance of neighbours along the edge; less where the edge is sharp. Measured, 12 to
+// 72 px, blur 0.7 to 2 px.
+std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays, std::int64_t width_px_q16) noexcept {
   constexpr std::int64_t kTurn_q16 = 411775, kApart_q16 = 3 * kOne_q16 / 2, kFar_q16 = 11 * kOne_q16 / 10;
   const std::int64_t pitch_q16 = integer_sqrt(mean_square_q16 << kQ16) * kTurn_q16 / rays >> kQ16;
-  return kFar_q16 + std::max<std::int64_t>(0, kApart_q16 - pitch_q16);
+  return kFar_q16 + std::clamp<std::int64_t>(kApart_q16 - pitch_q16, 0, 3 * width_px_q16 / 8);
 }
 
 // centre = M c, and each of c's variances is 2 / rays of the scatter; the mean of those of u and v. A semi-axis is
@@ -97,14 +129,15 @@ std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays) noexcept {
 void put_variances(const Edge& edge, const Pass& pass, EdgeFit& fit) noexcept {
   constexpr std::int64_t kGrid_q24 = 68;  // 0.002 px: what the pixel grid does to edges without any noise
   const std::int64_t square_q16 = mean_square_q16(fit.ellipse);
-  const std::int64_t shared_q16 = (square_q16 * dependence_q16(square_q16, pass.rays) >> kQ16) * 2 / pass.rays;
+  const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * pass.radius_q16 >> kQ16;
+  const std::int64_t shared_q16 =
+      (square_q16 * dependence_q16(square_q16, pass.rays, blur_q16) >> kQ16) * 2 / pass.rays;
   const std::int64_t centre_q24 =
       (shared_q16 * (square(fit.roughness_q16) >> 8) >> 16) + ((square_q16 >> 8) * edge.doubted_q32 >> 16) + kGrid_q24;
   fit.centre_variance_q24 = to_variance_q24(centre_q24);
   const std::int64_t undone_q16 = edge.width_q16 / 2;  // radii
   const std::int64_t bias_q24 = (square_q16 * undone_q16 >> kQ16) * undone_q16 >> 8;
   fit.axis_variance_q24 = to_variance_q24(centre_q24 * 3 / 2 + bias_q24 / 4);
-  const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * pass.radius_q16 >> kQ16;
   fit.blur_q8 = static_cast<std::uint16_t>(std::min<std::int64_t>(blur_q16 >> 8, 0xffff));
   if (fit.blur_q8 > kSharp_q8) fit.flaws |= kBlurred;
 }
@@ -142,7 +175,7 @@ bool fit_edge(const ImageView& image, Inside inside, std::int32_t reach_q16, con
   Edge edge{};
   const std::int64_t seed_radius_q16 = mean_radius_q16(seed);
   if (seed_radius_q16 < kOne_q16) return false;
-  Pass pass{kCoarseRays, 0, seed_radius_q16, sign, false};
+  Pass pass{kCoarseRays, reach_q16, 0, seed_radius_q16, sign, false};
   for (int i_pass = 0, left = kCoarsePasses; left > 0; ++i_pass) {
     const Ellipse before = fit.ellipse;
     if (pass.judged) pass.rays = rays_around(pass.radius_q16);

@@ -25,11 +25,13 @@ struct EdgeFit {
 /// Moves an ellipse onto the edge near it.
 ///
 /// The plane is normalised so that the ellipse is the unit circle, and the grey levels I_kj are read along rays k from
-/// 1 - h to 1 + h radii. Their mean over the rays is the edge's profile P, with the derivative D. Light that falls
-/// unevenly brightens a ray by a factor 1 + g, g = (cos t, sin t) . a, so that a ray which meets the edge at rho reads
-///     I_kj = (1 + g_k) P_j - rho_k D_j;
-/// its products with P and D give both. The mean of the profile is the size, the first harmonic of rho the centre, the
-/// second the shape:
+/// 1 - h to 1 + h radii r_j. Their mean over the rays is the edge's profile P, with the derivative D. Light that falls
+/// unevenly brightens a point of ray k by a factor 1 + g_k r_j, g = (cos t, sin t) . a, so that a ray which meets the
+/// edge at rho reads
+///     I_kj = (1 + g_k r_j) P_j - rho_k D_j;
+/// its products with r P and D give both. A light that is no stronger than noise and neighbours make it seem is not
+/// believed: rays tell a gain and a shift of the centre apart only by what the window shows beside the edge.
+/// The mean of the profile is the size, the first harmonic of rho the centre, the second the shape:
 ///     rho(t) = s + (cos t, sin t) . c + p cos 2t + q sin 2t,  centre += M c,  M <- M (1 + s + |p q; q -p|).
 ///
 /// Shapes  `reach_q16` is the largest h allowed by what lies inside and around the edge, in radii.

@@ -23,7 +23,7 @@ Harmonic harmonic_q16(const PerRay& x_q8, int rays, int n) noexcept {
 }
 
 std::int32_t dot(const PerSample& a, const PerSample& b) noexcept {
-  static_assert(std::int64_t{kSamples} * 4080 * 4080 < std::int64_t{1} << 31);
+  static_assert(std::int64_t{kSamples} * 8160 * 8160 < std::int64_t{1} << 31, "twice the largest grey level, Q4");
   std::int32_t sum = 0;
   for (std::size_t j = 0; j < kSamples; ++j) sum += a[j] * b[j];
   return sum;
@@ -52,11 +52,16 @@ PerSample steep_part(const EdgeProfile& profile) noexcept {
   return filter;
 }
 
-// How much of a brightness that differs by `gain` over a radius is believed to be the light's, Q16.
-std::int64_t belief_q16(const Harmonic& gain_q16, std::int64_t doubt_q16) noexcept {
-  const std::int64_t gain2 = (square(gain_q16.a) + square(gain_q16.b)) >> 12, doubt2 = square(doubt_q16) >> 12;
-  const std::int64_t power = square(gain2) >> 8, noise = square(doubt2) >> 8;
-  return (power << 16) / std::max<std::int64_t>(power + noise, 1);
+// What the profile becomes per gain: light that grows by g a radius grows by g r up to the radius r of the sample.
+PerSample lit_part(const EdgeProfile& profile, std::int32_t half_window_q16) noexcept {
+  PerSample lit;
+  for (int j = 0; j < kSamples; ++j) {
+    const std::int32_t radius_q16 = kOne_q16 + half_window_q16 * (2 * j - (kSamples - 1)) / (kSamples - 1);
+    const std::int32_t radius_q12 = std::clamp(radius_q16 >> 4, 0, 2 << 12);
+    const auto i = static_cast<std::size_t>(j);
+    lit[i] = static_cast<std::int16_t>(profile.mean_q4[i] * radius_q12 >> 12);
+  }
+  return lit;
 }
 
 }  // namespace
@@ -73,44 +78,36 @@ std::int64_t RayOffsets::scatter_q16(const Harmonic& first_q16, const Harmonic& 
   return std::max<std::int64_t>(power_q16, 0) / (rays - kUnknowns);
 }
 
-void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, std::int64_t doubt_q16,
-                  RayOffsets& out) noexcept {
-  const PerSample& P = profile.mean_q4;
-  const PerSample F = steep_part(profile);
-  const std::int32_t PP = dot(P, P) + 1, PF = dot(P, F), DF = dot(profile.slope_q4, F) + 1;
-  const std::int64_t PD = dot(P, profile.slope_q4);
-  // Both products, of the rays less those of the profile, as shares of P.P and D.F.
-  std::array<std::int32_t, kMaxRays> with_mean, with_slope;
+void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses,
+                  std::int32_t half_window_q16, RayOffsets& out) noexcept {
+  const PerSample &P = profile.mean_q4, &D = profile.slope_q4;
+  const PerSample G = lit_part(profile, half_window_q16), F = steep_part(profile);
+  const std::int32_t GG = dot(G, G) + 1, PG = dot(P, G), PF = dot(P, F), DF = dot(D, F) + 1;
+  // Both products, of the rays less those of the profile, as shares of G.G and D.F.
+  std::array<std::int32_t, kMaxRays> with_lit, with_slope;
   const auto rays = static_cast<std::size_t>(samples.rays);
   for (std::size_t k = 0; k < rays; ++k) {
-    with_mean[k] = dot(samples.grey_q4[k], P);
+    with_lit[k] = dot(samples.grey_q4[k], G);
     with_slope[k] = dot(samples.grey_q4[k], F);
   }
   out.rays = samples.rays;
   PerRay dark_q12;  // brightness differs by a quarter at most
-  put_shares(PP, with_mean, samples.rays, PP, 12, dark_q12);
+  put_shares(PG, with_lit, samples.rays, GG, 12, dark_q12);
   put_shares(PF, with_slope, samples.rays, DF, 8, out.rho_q8);
-  // a = g - rho PD / PP, b = -g PF / DF + rho, for the first harmonics
-  const Harmonic a_q20 = harmonic_q16(dark_q12, samples.rays, 1), b = out.harmonic_q16(1);
-  const std::int64_t PD_PP_q16 = (PD << 16) / PP, PF_DF_q16 = (std::int64_t{PF} << 16) / DF;
-  const std::int64_t det_q16 = std::max<std::int64_t>(kOne_q16 - (PD_PP_q16 * PF_DF_q16 >> 16), kOne_q16 / 64);
-  const auto gain_q16 = [&](std::int64_t mean_q16, std::int64_t slope_q16) {
-    return ((mean_q16 + (slope_q16 * PD_PP_q16 >> 16)) << 16) / det_q16;
+  for (std::size_t k = 0; k < rays; ++k) out.rho_q8[k] = static_cast<std::int16_t>(out.rho_q8[k] & crosses[k]);
+
+  // For the first harmonics: dark = shift DG / GG - gain, rho = shift - gain GF / DF.
+  const Harmonic dark_q20 = harmonic_q16(dark_q12, samples.rays, 1), rho = out.harmonic_q16(1);
+  const std::int64_t DG_GG_q16 = (std::int64_t{dot(D, G)} << 16) / GG;
+  out.per_gain_q16 = (std::int64_t{dot(G, F)} << 16) / DF;
+  constexpr std::int64_t kMostShared_q16 = kOne_q16 - kOne_q16 / 64;
+  out.shared_q16 = std::clamp<std::int64_t>(DG_GG_q16 * out.per_gain_q16 >> 16, 0, kMostShared_q16);
+  const auto light_q16 = [&](std::int64_t dark, std::int64_t slope) {
+    constexpr std::int64_t kLimit_q16 = kLimit_q8 * 256;
+    const std::int64_t gain_q16 = (((slope * DG_GG_q16 >> 16) - (dark >> 4)) << 16) / (kOne_q16 - out.shared_q16);
+    return std::clamp(gain_q16 * out.per_gain_q16 >> 16, -kLimit_q16, kLimit_q16);
   };
-  const Harmonic gain{gain_q16(-a_q20.a >> 4, b.a), gain_q16(-a_q20.b >> 4, b.b)};
-  const std::int64_t belief = belief_q16(gain, doubt_q16);
-  const Wave& wave = wave_of(samples.rays, 1);
-  const Harmonic whole{gain.a * PF_DF_q16 >> 16, gain.b * PF_DF_q16 >> 16};
-  out.doubted_q32 = (square(whole.a) + square(whole.b)) / 2 * (belief * (kOne_q16 - belief) >> 16) >> 16;
-  const auto shift_q12 = [belief](std::int64_t x) {
-    return static_cast<std::int16_t>(std::clamp<std::int64_t>(x * belief >> 20, -kLimit_q8 * 16, kLimit_q8 * 16));
-  };
-  const std::int16_t shift_a = shift_q12(whole.a), shift_b = shift_q12(whole.b);
-  for (std::size_t k = 0; k < rays; ++k) {
-    const int shift_q8 = (shift_a * wave.cos_q14[k] + shift_b * wave.sin_q14[k]) >> (kQ14 + 4);
-    const auto rho_q8 = static_cast<std::int16_t>(out.rho_q8[k] + shift_q8);
-    out.rho_q8[k] = static_cast<std::int16_t>(std::clamp<std::int16_t>(rho_q8, -kLimit_q8, kLimit_q8) & crosses[k]);
-  }
+  out.light_q16 = {light_q16(dark_q20.a, rho.a), light_q16(dark_q20.b, rho.b)};
 }
 
 }  // namespace articam::vision

@@ -13,20 +13,23 @@ struct Harmonic {
   std::int64_t a{}, b{};
 };
 
-/// Distances from the mean edge in samples, Q8, freed of the light's gradient.
+/// Distances from the mean edge in samples, Q8, and what uneven light may have done to them: light that grows by `gain`
+/// a radius moves each ray's edge as a shift of the centre by `gain` times `per_gain` does.
 struct RayOffsets {
-  int rays{};
+  int rays;
   PerRay rho_q8;
-  std::int64_t doubted_q32;  ///< variance of the first harmonic that is left by not knowing how even the light is
+  Harmonic light_q16;         ///< the shift by the light that the rays show, samples
+  std::int64_t per_gain_q16;  ///< samples
+  std::int64_t shared_q16;    ///< squared correlation of a shift and a gain, below 1: how far rays tell them apart
 
   Harmonic harmonic_q16(int n) const noexcept;
   /// Mean square of what is left without the harmonics 0, 1 and 2, Q16, per degree of freedom.
   std::int64_t scatter_q16(const Harmonic& first_q16, const Harmonic& second_q16) const noexcept;
 };
 
-/// Rays that do not cross the edge (see find_crossings) are taken to meet it where the ellipse is. `doubt_q16` is the
-/// difference of brightness over a radius that is not believed to be the light's.
-void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, std::int64_t doubt_q16,
-                  RayOffsets& out) noexcept;
+/// Of rays read in a window of +-h radii. Those that do not cross the edge (see find_crossings) are taken to meet it
+/// where the ellipse is.
+void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses,
+                  std::int32_t half_window_q16, RayOffsets& out) noexcept;
 
 }  // namespace articam::vision
