@@ -140,8 +140,10 @@ constexpr std::array<Step, 4> kSteps{kAlong, kDown, kFall, kRise};
 bool to_the_middle(const Walker& walk, bool light, int most, int& u, int& v) noexcept {
   Chord chord;
   if (walk.light(u, v) != light || !walk.cross(u, v, kDown, light, {}, most, chord)) return false;
-  constexpr int kHalfPitch_q8 = 5 * 64;  // every second row is searched
-  if (std::abs(chord.middle_q8()) > kHalfPitch_q8) return false;
+  // Every second row is searched. Of large holes several may try: in weak light noise ends a long chord too soon.
+  constexpr int kHalfPitch_q8 = 5 * 64, kLarge_q8 = 24 * 256;
+  const int most_q8 = kHalfPitch_q8 + std::max(0, chord.length_q8() - kLarge_q8) / 4;
+  if (std::abs(chord.middle_q8()) > most_q8) return false;
   v += rounded(chord.middle_q8());
   if (walk.light(u, v) != light || !walk.cross(u, v, kAlong, light, {}, most, chord)) return false;
   u += rounded(chord.middle_q8());
