@@ -41,7 +41,7 @@ std::string name(const Start& start) { return fmt::format("{} deg, {} cm", start
 /// The solver alone, the marks' names given: the optimum is where it arrives from the truth.
 void solved(const Run& run, Table& table, const Start& far, bool open, const Noise& noise) {
   constexpr int kIterations = 48;  // what the tracker spends on a start
-  using M = FreePrinter;
+  using M = Printer;
   const auto truth = nominal<M>();
   const Images images = images_of<M>(truth);
   const Vec8 bound = deviations(information<M>(truth, variances_of(noise)));

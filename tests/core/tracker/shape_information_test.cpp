@@ -16,15 +16,15 @@ namespace {
 constexpr double kFocal = test::kFocal_px;
 constexpr double kShape_px = 0.02;
 
-/// (m00, m10, m11) of a marker, its radius scaled by exp(u).
+/// Centre and (m00, m10, m11) of a marker's image, its radius scaled by exp(u).
 template <class M>
-Vec<double, 3> shape_of(const model::Configuration<M, double>& q, std::size_t marker, double u) {
+Vec<double, 5> image_of(const model::Configuration<M, double>& q, std::size_t marker, double u) {
   const auto kinematics = model::forward_kinematics<M, double>(q.joints);
   auto circle =
       tracker::circle_in_camera(q.T_cam_obj, kinematics.markers[marker], M::kMarkers[marker].outer_diameter_m);
   circle.radius *= std::exp(u);
   const auto image = vision::imaged_ellipse(circle).value();
-  return {image.M(0, 0), image.M(1, 0), image.M(1, 1)};
+  return {image.centre.x(), image.centre.y(), image.M(0, 0), image.M(1, 0), image.M(1, 1)};
 }
 
 /// Centres and shapes as a detector would give them, the marks printed too large by exp(u).
@@ -39,7 +39,9 @@ tracker::Matches<M, double> seen(const model::Configuration<M, double>& q, doubl
     // Seen nearly edge on, a shape is not linear over any step.
     matches[m].matched = std::abs(circle.normal.dot(circle.centre.normalized())) > 0.3;
     if (!matches[m].matched) continue;
-    matches[m].shape = shape_of<M>(q, m, u);
+    const Vec<double, 5> image = image_of<M>(q, m, u), unscaled = image_of<M>(q, m, 0);
+    matches[m].s_star += image.head<2>() - unscaled.head<2>();
+    matches[m].shape = image.tail<3>();
     for (int i = 0; i < 3; ++i) matches[m].shape[i] += noise_px > 0 ? kShape_px / kFocal * random.gaussian() : 0;
     matches[m].shape_variance = kShape_px * kShape_px / (kFocal * kFocal);
   }
@@ -59,38 +61,38 @@ TYPED_TEST(ShapeInformation, IsThatOfTheNumericDerivativesWithTheScaleEliminated
     const auto q = random.configuration<M, double>();
     const auto near = model::integrate<M, double>(q, random.vector<double, n>(-2e-5, 2e-5));
     auto matches = seen<M>(near, 1e-4, 0, random);
-    auto centres = matches;
-    for (auto& match : centres) match.shape_variance = 0;
-
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n + 1, n + 1);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
     H(n, n) = 1 / (tracker::kPrintScale<double> * tracker::kPrintScale<double>);
     for (std::size_t m = 0; m < matches.size(); ++m) {
       if (!matches[m].matched) continue;
-      Eigen::Matrix<double, 3, n + 1> A;
+      Eigen::Matrix<double, 5, n + 1> A;
       constexpr double kStep = 1e-5;
       for (int i = 0; i <= n; ++i) {
         Vec<double, n> step = Vec<double, n>::Zero();
         if (i < n) step[i] = kStep;
         const double u = i == n ? kStep : 0;
-        A.col(i) = (shape_of<M>(model::integrate<M, double>(q, step), m, u) -
-                    shape_of<M>(model::integrate<M, double>(q, Vec<double, n>{-step}), m, -u)) /
+        A.col(i) = (image_of<M>(model::integrate<M, double>(q, step), m, u) -
+                    image_of<M>(model::integrate<M, double>(q, Vec<double, n>{-step}), m, -u)) /
                    (2 * kStep);
       }
-      H += A.transpose() * A / matches[m].shape_variance;
-      b += A.transpose() * (matches[m].shape - shape_of<M>(q, m, 0)) / matches[m].shape_variance;
+      const auto& match = matches[m];
+      Vec<double, 5> seen, certainty;
+      seen << match.s_star, match.shape;
+      certainty << Vec<double, 2>::Constant(1 / match.variance), Vec<double, 3>::Constant(1 / match.shape_variance);
+      H += A.transpose() * certainty.asDiagonal() * A;
+      b += A.transpose() * certainty.asDiagonal() * (seen - image_of<M>(q, m, 0));
     }
     const Eigen::VectorXd h = H.col(n).head(n);
     const Eigen::MatrixXd expected_H = H.topLeftCorner(n, n) - h * h.transpose() / H(n, n);
     const Eigen::VectorXd expected_b = b.head(n) - h * b[n] / H(n, n);
 
-    const auto with = tracker::linearise<M, double>(matches, q), without = tracker::linearise<M, double>(centres, q);
-    ASSERT_EQ(with.status, Status::ok);
+    const auto normal = tracker::linearise<M, double>(matches, q);
+    ASSERT_EQ(normal.status, Status::ok);
     for (int i = 0; i < n; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      EXPECT_NEAR(with.b[at] - without.b[at], expected_b[i], 1e-5 * (b.norm() + 1)) << i;
-      for (int j = 0; j < n; ++j)
-        EXPECT_NEAR(with.H(i, j) - without.H(i, j), expected_H(i, j), 1e-6 * H.norm()) << i << ' ' << j;
+      EXPECT_NEAR(normal.b[at], expected_b[i], 1e-5 * (b.norm() + 1)) << i;
+      for (int j = 0; j < n; ++j) EXPECT_NEAR(normal.H(i, j), expected_H(i, j), 1e-6 * H.norm()) << i << ' ' << j;
     }
   }
 }
