@@ -21,10 +21,10 @@ class NoiseScale {
   }
 
  private:
-  static constexpr S kMemory{0.99};  ///< 100 frames
+  static constexpr S kMemory = S(0.99);  ///< 100 frames
   /// Before the first frame: twelve times the detector's deviation, some quarter of a pixel, and a fifth of an equation
   /// soon outvotes it.
-  static constexpr S kStart{150}, kStartEquations{0.2};
+  static constexpr S kStart = S(150), kStartEquations = S(0.2);
 
   S chi2_{kStart * kStartEquations};
   S spare_{kStartEquations};
