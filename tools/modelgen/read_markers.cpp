@@ -19,6 +19,19 @@ double read_diameter(YamlMap& map, const char* key) {
   return *value;
 }
 
+/// Metres, as a diameter's: beyond 10 it is a slip of the unit.
+void read_offset(YamlMap& map, Marker& marker) {
+  if (!map.has("offset_m")) return;
+  const auto numbers = map.numbers("offset_m", 3);
+  if (!numbers) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    marker.offset_m[i] = (*numbers)[i];
+    if (!(std::abs((*numbers)[i]) < 10)) {
+      map.error(map.line_of_key("offset_m"), "offset_m", fmt::format("{} is not within 10 m", (*numbers)[i]));
+    }
+  }
+}
+
 // kMinRingRatio_q16 and kMaxRingRatio_q16 of core/vision/detector.hpp, which tools may not include.
 constexpr double kMinRingRatio = 0.1875, kMaxRingRatio = 0.75;
 
@@ -28,7 +41,7 @@ double ring_ratio(const Marker& marker) {
 }
 
 void read_ring(YamlMap& map, Marker& marker) {
-  map.check_keys({"frame", "type", "outer_diameter_m", "inner_diameter_m"}, YamlMap::UnknownKeys::refuse);
+  map.check_keys({"frame", "type", "outer_diameter_m", "inner_diameter_m", "offset_m"}, YamlMap::UnknownKeys::refuse);
   marker.kind = model::MarkerKind::ring;
   marker.outer_diameter_m = read_diameter(map, "outer_diameter_m");
   marker.inner_diameter_m = read_diameter(map, "inner_diameter_m");
@@ -42,7 +55,7 @@ void read_ring(YamlMap& map, Marker& marker) {
 }
 
 void read_dot(YamlMap& map, Marker& marker) {
-  map.check_keys({"frame", "type", "diameter_m", "polarity"}, YamlMap::UnknownKeys::refuse);
+  map.check_keys({"frame", "type", "diameter_m", "polarity", "offset_m"}, YamlMap::UnknownKeys::refuse);
   marker.outer_diameter_m = read_diameter(map, "diameter_m");
   const auto polarity = map.text("polarity");
   if (polarity == "light_on_dark") {
@@ -66,6 +79,7 @@ Marker read_marker(YamlMap& map) {
   } else if (type) {
     map.error(map.line_of_key("type"), "type", fmt::format("'{}' is neither ring nor dot", *type));
   }
+  read_offset(map, marker);
   return marker;
 }
 

@@ -12,14 +12,14 @@
 
 namespace articam::modelgen {
 
-/// The link's origin is the centre of the mark, its +z the outward normal.
+/// The link's origin, or what `offset_m` says, is the centre of the mark, the link's +z its outward normal.
 struct Marker {
   std::string frame;  ///< a link of the URDF
   int line{};
   model::MarkerKind kind{};
   double outer_diameter_m{};         ///< of a dot: its diameter; 0 for a point
   double inner_diameter_m{};         ///< of a ring; 0 otherwise
-  std::array<double, 3> offset_m{};  ///< of a point: its place in the link's frame
+  std::array<double, 3> offset_m{};  ///< its place in the link's frame
   std::string name;                  ///< of a mark: its frame; of a point: its own
 };
 

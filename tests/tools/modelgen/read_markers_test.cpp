@@ -44,13 +44,24 @@ TEST(ReadMarkers, TellsTheLineAndTheKeyOfWhatIsWrong) {
   EXPECT_EQ(messages(marker("type: ring, outer_diameter_m: '0,05', inner_diameter_m: 0.01")),
             "m.yaml:2: marker 1 outer_diameter_m: '0,05' is not a finite number\n");
   EXPECT_EQ(messages(marker("type: dot, diameter_m: 0.01, polarity: light_on_dark, colour: red")),
-            "m.yaml:2: marker 1 colour: unknown key; known are frame, type, diameter_m, polarity\n");
+            "m.yaml:2: marker 1 colour: unknown key; known are frame, type, diameter_m, polarity, offset_m\n");
   EXPECT_EQ(messages("markers:\n  - {type: dot, diameter_m: 0.01, polarity: light_on_dark}\n"),
             "m.yaml:2: marker 1 frame: is missing\n");
   EXPECT_EQ(messages("markers: []\nq0: [1, x]\n"), "m.yaml:2: q0: 'x' is not a finite number\n");
   EXPECT_EQ(messages("q0: [1]\n"), "m.yaml:1: markers: is not a list of markers\n");
   EXPECT_EQ(messages("markers: [1]\n"), "m.yaml:1: marker 1: is not a mapping of keys to values\n");
   EXPECT_EQ(messages("markers: []\nmarkers: []\n"), "m.yaml:2: markers: is given twice; keep one\n");
+}
+
+TEST(ReadMarkers, TakesAPlaceBesideTheOriginOfTheFrame) {
+  const std::string dot = "type: dot, diameter_m: 0.01, polarity: light_on_dark, offset_m: ";
+  Diagnostics diagnostics;
+  const auto file = read_markers({"m.yaml", marker(dot + "[0.1, -0.2, 3e-3]")}, diagnostics);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(diagnostics.text(), "");
+  EXPECT_EQ(file->markers[0].offset_m, (std::array{0.1, -0.2, 3e-3}));
+  EXPECT_EQ(messages(marker(dot + "[0, 0, 12]")), "m.yaml:2: marker 1 offset_m: 12 is not within 10 m\n");
+  EXPECT_NE(messages(marker(dot + "[0, 0]")), "");
 }
 
 TEST(ReadMarkers, RefusesRingsThatTheDetectorCannotFind) {
