@@ -46,6 +46,7 @@ const std::vector<Room> kHouse{
     {"host_sim/",            any,       {"core/", "static_models/", "hal/ports/", "hal/run_loop.hpp", "host_sim/"}},
     {"tools/listen/",        any,       {"core/*", "core/math/", "hal/wire/", "hal/posix/", "hal/authentication/",
                                          "tools/"}},
+    {"tools/identify/",      any,       {"core/*", "core/math/", "core/model/", "core/vision/", "tools/"}},
     {"tools/probe/main.cpp", any,       {"core/*", "core/math/", "core/model/", "static_models/", "tools/"}},
     {"tools/markers/main.cpp", any,     {"core/*", "core/math/", "core/model/", "static_models/", "tools/"}},
     {"tools/",               any,       {"core/*", "core/math/", "core/model/", "tools/"}},
