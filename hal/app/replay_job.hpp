@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/config.hpp"
+#include "hal/app/note_sightings.hpp"
 #include "hal/app/start.hpp"
 #include "hal/app/tracker_overlay.hpp"
 #include "hal/firmware.hpp"
@@ -22,6 +21,7 @@
 #include "hal/replay/pgm_camera.hpp"
 #include "hal/run_loop.hpp"
 #include "hal/timed_tracker.hpp"
+#include "tools/identify/job.hpp"
 
 namespace articam::app {
 
@@ -32,6 +32,7 @@ struct ReplayOptions {
   std::string q0;  ///< empty: the model's own
   tracker::Mode mode{tracker::Mode::standard};
   std::string output, overlay_folder;
+  identify::JobOptions identify;  ///< without outputs: nothing is to be identified
   bool show_progress{};
 };
 
@@ -88,6 +89,9 @@ class Replay {
     return summary_.text(joint_names, options_.rate_hz);
   }
 
+  /// Of the frames that were played.
+  const identify::Recording& sightings() const { return sightings_; }
+
  private:
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   using Estimate = typename Tracker::EstimateType;
@@ -105,6 +109,7 @@ class Replay {
                          camera_.image().width_px, camera_.image().height_px, options_.camera.width_px,
                          options_.camera.height_px);
     }
+    if (!options_.identify.outputs.empty()) note_sightings(tracker_, estimate, sightings_);
     summary_.add(estimate.status, static_cast<double>(estimate.rms_px), estimate.matched, timed_.step_s(),
                  std::vector<double>(estimate.q.joints.data(), estimate.q.joints.data() + estimate.q.joints.size()));
     return draw(frame, estimate);
@@ -129,15 +134,29 @@ class Replay {
   hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{
       camera_, clock_, link_, timed_, {.period = std::chrono::nanoseconds(from_seconds(1 / options_.rate_hz).ns)}};
   Summary summary_;
+  identify::Recording sightings_;
 };
 
-/// Runs the firmware's loop over the files and prints the summary. Returns what went wrong, or nothing.
+/// Prints, or returns why not.
+std::string print(const std::string& text);
+
+/// Runs the firmware's loop over the files, prints the summary, and identifies what was asked for. Returns what went
+/// wrong, or nothing.
 template <class Model>
 std::string replay(const ReplayOptions& options) {
+  std::optional<identify::Job> identification;
+  if (!options.identify.outputs.empty()) {
+    modelgen::Diagnostics diagnostics;
+    identification = identify::Job::prepare(options.identify, identify::Object::of<Model>(), diagnostics);
+    if (!identification) return "nothing to identify from:\n" + diagnostics.text();
+  }
   const auto job = std::make_unique<Replay<Model>>(options);  // large: a tracker holds its detector's images
   if (auto problem = job->run(); !problem.empty()) return problem;
-  std::fputs(job->summary().c_str(), stdout);
-  return std::fflush(stdout) == 0 ? std::string{} : std::string("standard output: ") + std::strerror(errno);
+  if (auto problem = print(job->summary()); !problem.empty() || !identification) return problem;
+  std::string text;
+  auto problem = identification->finish(job->sightings(), options.camera, text);
+  if (auto unprinted = print(text); problem.empty()) problem = std::move(unprinted);
+  return problem;
 }
 
 }  // namespace articam::app

@@ -24,6 +24,14 @@ Example
 
   articam-replay printer_drawer --recording run.rec -o est.csv       what a board recorded, again
 
+  articam-replay printer_drawer --camera static_models/cameras/xtion_vga.yaml --frames run -o est.csv \
+      --virtual marker_distance --identify fixed.urdf --identify fixed.markers.yaml
+
+--identify adjusts all frames at once and writes what is constant in them, with standard deviations: FILE.urdf has the
+constant joints fixed where they were found, FILE.yaml every marker at its place on its link. It also says whether the
+camera file is right. Move the camera all around the object, and its joints over their range; markers' directions are
+taken from the URDF.
+
 MODEL is a folder of static_models; --list names them. Frames are binary 8-bit PGM files, sorted by name; quote a
 pattern. q0 is where the search begins: base pose in the camera frame (x right, y down, z forward; m), quaternion
 w x y z, then the joints in the order that articam-probe MODEL prints.
@@ -91,8 +99,18 @@ int main(int argc, char** argv) {
       ->option_text("default|paper");
   auto* output_option = app.add_option("-o,--output", options.output, "estimates.csv to write");
   app.add_option("--overlay", options.overlay_folder, "also draw every frame with its marks into this folder (PNG)");
+  auto* identify_option =
+      app.add_option("--identify", options.identify.outputs,
+                     "write FILE.urdf or FILE.yaml with what the recording tells of the object; may be repeated");
+  app.add_option("--virtual", options.identify.still,
+                 "a joint that stands for a constant; may be repeated (default: those that stand still)")
+      ->needs(identify_option);
+  app.add_option("--urdf", options.identify.urdf, "the model's source (default: static_models/MODEL/MODEL.urdf)")
+      ->needs(identify_option);
+  app.add_option("--markers", options.identify.markers, "likewise (default: static_models/MODEL/MODEL.markers.yaml)")
+      ->needs(identify_option);
   for (const char* const other :
-       {"--camera", "--frames", "--repeat", "--max-frames", "--fps", "--q0", "--mode", "--overlay"}) {
+       {"--camera", "--frames", "--repeat", "--max-frames", "--fps", "--q0", "--mode", "--overlay", "--identify"}) {
     recording_option->excludes(app.get_option(other));  // all of that is in the recording
   }
   try {
@@ -110,6 +128,19 @@ int main(int argc, char** argv) {
   if (list) {
     for (const auto name : articam::models::kStaticModelNames) fmt::print("{}\n", name);
     return 0;
+  }
+
+  articam::identify::JobOptions& identify = options.identify;
+  identify.camera_file = camera_file;
+  const std::string stem = "static_models/" + model + "/" + model;
+  if (identify.urdf.empty()) identify.urdf = stem + ".urdf";
+  if (identify.markers.empty()) identify.markers = stem + ".markers.yaml";
+  std::string misuse;
+  articam::models::visit_model(
+      model, [&]<class Model>() { misuse = why_wrong(identify, articam::identify::Object::of<Model>()); });
+  if (!misuse.empty()) {
+    fail(misuse);
+    return 2;
   }
 
   const auto run = [&model](auto&& job) { return run_for(model, job); };
