@@ -39,6 +39,7 @@ class MotionPrior {
 
   void start(const Configuration& q0) noexcept {
     restart(q0);
+    motion_.q = q0;
     has_time_ = false;
   }
 
@@ -71,9 +72,11 @@ class MotionPrior {
     }
   }
 
-  /// The object was found at q, whatever was expected.
+  /// The object was found at q, whatever was expected. Of the two quaternions of its pose that nearer to the last one.
   void restart(const Configuration& q) noexcept {
+    const bool far = motion_.q.T_cam_obj.R.dot(q.T_cam_obj.R) < S(0);
     motion_.q = q;
+    if (far) motion_.q.T_cam_obj.R.coeffs() = -q.T_cam_obj.R.coeffs();
     halt();
     widen();
   }

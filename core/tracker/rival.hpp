@@ -19,8 +19,9 @@ class Rival {
   /// Follows the mirror image of `found` in this frame. True: it has taken the place of `found`. Where nothing is
   /// decided, the covariance of `found` holds both, and what they differ in is disputed.
   bool challenge(const Matches<M, S>& matches, Consensus<M, S>& found) noexcept {
-    if (!alive_ && !appear(matches, found.solution)) return false;
-    const Solution<M, S> solution = solve(matches, open_prior<M, S>(q_), q_, kIterations);
+    const bool appears = !alive_ && appear(matches, found.solution);
+    if (!alive_ && !appears) return false;
+    const Solution<M, S> solution = solve(matches, open_prior<M, S>(q_), q_, appears ? kFirstIterations : kIterations);
     alive_ = solution.status == Status::ok && solution.converged && is_distinct(solution, found.solution);
     if (!alive_) return false;
     q_ = solution.q;
@@ -40,7 +41,7 @@ class Rival {
 
  private:
   static constexpr S kDecided{24};
-  static constexpr int kIterations = 8;
+  static constexpr int kFirstIterations = 20, kIterations = 8;
   static constexpr int kPause = 8;  ///< frames between two looks for it
 
   static S misfit(const Matches<M, S>& matches, const Solution<M, S>& solution) noexcept {

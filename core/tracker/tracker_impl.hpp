@@ -219,8 +219,8 @@ template <class Model, class Scalar>
 void Tracker<Model, Scalar>::doubt() noexcept {
   if (found_.solution.status != Status::ok) return;
   if (!rival_.challenge(matches_, found_)) return;
-  q_ = found_.solution.q;
-  motion_.restart(q_);
+  motion_.restart(found_.solution.q);
+  q_ = motion_.q();
 }
 
 template <class Model, class Scalar>

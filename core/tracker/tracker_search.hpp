@@ -60,7 +60,7 @@ void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
   rms_px_ = Scalar(0);
   motion_.restart(q);
   rival_ = {};
-  q_ = q;
+  q_ = motion_.q();
   expect(math::zeros<Mat<Scalar, kDof, kDof>>());
   match();
   iterate();

@@ -181,6 +181,33 @@ TEST_F(PrinterTracker, CoastsOnATickWithoutAFrameAndLeavesTheNextFrameItsOwnTime
   EXPECT_TRUE(after.q.joints == undisturbed.q.joints && after.q.T_cam_obj.t == undisturbed.q.T_cam_obj.t);
 }
 
+TEST_F(PrinterTracker, PredictsAMovingDrawerToAControllersTimeAndSaysHowOldThatIs) {
+  const double opens_s = 6;
+  k_ = static_cast<int>(opens_s * 30);
+  Estimate last;
+  for (int i = 0; i < 30; ++i) {
+    last = see([&](Markers& markers) { markers = sim::scene_markers<M>(Scenario::at(k_ / 30.0).q); });
+  }
+  ASSERT_EQ(last.status, tracking);
+  const double t_s = k_ / 30.0, later_s = t_s + 0.010;  // a little after the next frame would have come
+  const Timestamp later = from_seconds(later_s);
+  const auto predicted = tracker_->predict(later);
+  EXPECT_EQ(predicted.status, tracking);
+  EXPECT_EQ(predicted.t, later);
+  EXPECT_EQ(predicted.t_capture, last.t_capture);
+  EXPECT_TRUE(predicted.valid);
+  const double truth = Scenario::at(later_s).q.joints[0];
+  EXPECT_GT(std::abs(truth - last.q.joints[0]), 1e-3);  // it has gone on
+  EXPECT_LT(std::abs(predicted.q.joints[0] - truth), 3 * std::sqrt(predicted.covariance(6, 6)));
+  EXPECT_GT(predicted.covariance(6, 6), last.covariance(6, 6));
+  // Nothing has changed, the past is not predicted, and what is too old is lost.
+  EXPECT_EQ(tracker_->predict(later).q.joints[0], predicted.q.joints[0]);
+  EXPECT_EQ(tracker_->predict(from_seconds(t_s - 1)).t, last.t);
+  const auto stale = tracker_->predict(from_seconds(t_s + 1));
+  EXPECT_EQ(stale.status, lost);
+  EXPECT_FALSE(stale.valid);
+}
+
 TEST_F(PrinterTracker, SaysOfEveryDegreeOfFreedomWhetherTheFrameObservedIt) {
   using enum tracker::Observability;
   track();
