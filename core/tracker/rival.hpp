@@ -6,6 +6,9 @@
 /// fro. Here both are followed, and the difference of their costs is summed over the frames: the sum of the logarithms
 /// of likelihoods. The output changes sides when the sum says so at odds of 1 to e^12, and not before.
 
+#include <algorithm>
+#include <utility>
+
 #include "core/tracker/consensus.hpp"
 #include "core/tracker/mirror_image.hpp"
 
@@ -16,14 +19,18 @@ class Rival {
  public:
   using Configuration = model::Configuration<M, S>;
 
-  /// Follows the mirror image of `found` in this frame. True: it has taken the place of `found`. Where nothing is
-  /// decided, the covariance of `found` holds both, and what they differ in is disputed.
-  bool challenge(const Matches<M, S>& matches, Consensus<M, S>& found) noexcept {
-    const bool appears = !alive_ && appear(matches, found.solution);
+  /// Follows the mirror image of `found` in this frame. True: it has taken the place of `found`, and that is not where
+  /// the frames before have led. Where nothing is decided, the covariance of `found` holds both, and what they differ
+  /// in is disputed. `expected`: from the frames before; a frame whose own optimum lies on the other side is no
+  /// evidence yet.
+  bool challenge(const Matches<M, S>& matches, const Configuration& expected, Consensus<M, S>& found) noexcept {
+    const bool leapt = turn2(expected, found.solution.q) > kLeap2;
+    const bool appears = (leapt || (!alive_ && ++frames_ % kPause == 0)) && appear(matches, found.solution);
     if (!alive_ && !appears) return false;
-    const Solution<M, S> solution = solve(matches, open_prior<M, S>(q_), q_, appears ? kFirstIterations : kIterations);
+    Solution<M, S> solution = solve(matches, open_prior<M, S>(q_), q_, appears ? kFirstIterations : kIterations);
     alive_ = solution.status == Status::ok && solution.converged && is_distinct(solution, found.solution);
     if (!alive_) return false;
+    if (leapt && turn2(expected, solution.q) < turn2(expected, found.solution.q)) std::swap(found.solution, solution);
     q_ = solution.q;
     lead_ += misfit(matches, found.solution) - misfit(matches, solution);
     if (lead_ < -kDecided) return alive_ = false;
@@ -42,21 +49,23 @@ class Rival {
  private:
   static constexpr S kDecided{24};
   static constexpr int kFirstIterations = 20, kIterations = 8;
-  static constexpr int kPause = 8;  ///< frames between two looks for it
+  static constexpr int kPause = 8;      ///< frames between two looks for it
+  static constexpr S kLeap2 = S(7e-4);  ///< (1.5 deg)^2 beyond what was expected are looked into at once
 
+  static S turn2(const Configuration& a, const Configuration& b) noexcept {
+    return math::log_so3<S>(b.T_cam_obj.R * a.T_cam_obj.R.conjugate()).squaredNorm();
+  }
   static S misfit(const Matches<M, S>& matches, const Solution<M, S>& solution) noexcept {
     return S(2) * linearise(matches, solution.q, FeatureKind::imaged_circle, solution.scale).cost;
   }
-  /// Turned by more than a degree and by more than 3 deviations.
+  /// Turned by more than a degree and by more than a deviation.
   static bool is_distinct(const Solution<M, S>& a, const Solution<M, S>& b) noexcept {
-    const Vec<S, 3> turn = model::difference(a.q, b.q).template segment<3>(3);
     const S variance = a.covariance(3, 3) + a.covariance(4, 4) + a.covariance(5, 5);
-    return turn.squaredNorm() > S(3e-4) && turn.squaredNorm() > S(9) * variance;
+    return turn2(a.q, b.q) > S(3e-4) && turn2(a.q, b.q) > variance;
   }
 
   /// The body with most marks is mirrored.
   bool appear(const Matches<M, S>& matches, const Solution<M, S>& solution) noexcept {
-    if (++frames_ % kPause != 0) return false;
     std::array<int, M::kJoints.size() + 1> marks{};
     Hypothesis<M, S> seen{.q = solution.q};
     for (std::size_t m = 0; m < matches.size(); ++m) {

@@ -219,9 +219,8 @@ void Tracker<Model, Scalar>::iterate() noexcept {
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::doubt() noexcept {
   if (found_.solution.status != Status::ok) return;
-  if (!rival_.challenge(matches_, found_)) return;
-  motion_.restart(found_.solution.q);
-  q_ = motion_.q();
+  if (rival_.challenge(matches_, motion_.q(), found_)) motion_.restart(found_.solution.q);
+  q_ = found_.solution.q;
 }
 
 }  // namespace articam::tracker

@@ -48,7 +48,7 @@ TEST(Rival, TakesOverFromTheWrongOneOfTwoMirrorImagesOnceTheFramesHaveDecided) {
   for (int frame = 1; frame <= 300 && taken_over_after == 0; ++frame) {
     const auto matches = observe_base(truth, 0.3, random);
     auto found = solved(matches, followed);
-    if (rival.challenge(matches, found)) taken_over_after = frame;
+    if (rival.challenge(matches, followed, found)) taken_over_after = frame;
     followed = found.solution.q;
   }
   EXPECT_GT(taken_over_after, 0);
@@ -64,7 +64,7 @@ TEST(Rival, NeverTakesOverFromTheTrueOne) {
     for (int frame = 0; frame < 600; ++frame) {
       const auto matches = observe_base(truth, 0.3, random);
       auto found = solved(matches, followed);
-      EXPECT_FALSE(rival.challenge(matches, found)) << tilt << ' ' << frame;
+      EXPECT_FALSE(rival.challenge(matches, followed, found)) << tilt << ' ' << frame;
       followed = found.solution.q;
     }
   }
@@ -79,7 +79,7 @@ TEST(Rival, MakesTheCovarianceHoldBothWhileNothingIsDecided) {
     const auto matches = observe_base(truth, 0.5, random);
     auto found = solved(matches, truth);
     const auto alone = found.solution.covariance;
-    (void)rival.challenge(matches, found);
+    (void)rival.challenge(matches, truth, found);
     if (!rival.stands()) continue;
     ++undecided;
     EXPECT_TRUE(found.disputed[3]);
