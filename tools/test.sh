@@ -34,7 +34,8 @@ there() { for program; do command -v "$program" >/dev/null || return 1; done; }
 
 tools/install_packages.sh clang libbenchmark-dev libgtest-dev libopencv-dev \
   libclang-rt-dev `# what fuzzers include and link` \
-  liborocos-kdl-dev liburdfdom-dev `# another opinion on URDF` \
+  libkdl-parser-dev liborocos-kdl-dev liburdfdom-dev `# another opinion on URDF and on its mechanics` \
+  coinor-libclp-dev `# another opinion on quadratic programs` \
   librsvg2-bin poppler-utils `# other eyes on what articam-markers draws` \
   dpkg-dev file `# cpack`
 CXX=g++ tools/quietly.sh "Building with GCC" tools/build_preset.sh host-release --tests ON
