@@ -92,7 +92,10 @@ std::optional<QpVec> solve_by_clp(const QuadraticProgram& program) {
   clp.setMaximumIterations(kClpSteps);
   clp.primal();
   if (clp.status() != 0) return std::nullopt;
-  return QpVec{Eigen::Map<const Eigen::VectorXd>(clp.primalColumnSolution(), n)};
+  const QpVec x = Eigen::Map<const Eigen::VectorXd>(clp.primalColumnSolution(), n);
+  const double off = (program.E * x - program.e).lpNorm<1>() + (program.c - program.C * x).cwiseMax(0).lpNorm<1>();
+  if (off > 1e-4) return std::nullopt;  // stopped on the way, whatever it says
+  return x;
 }
 
 class QuadraticPrograms : public testing::TestWithParam<bool> {};
