@@ -1,6 +1,9 @@
 #pragma once
 /// @file  A link that keeps every estimate in memory beside the truth, for the report.
 
+#include <functional>
+#include <utility>
+
 #include "core/status.hpp"
 #include "host_sim/report/record_frame.hpp"
 #include "host_sim/report/run_record.hpp"
@@ -9,14 +12,17 @@
 namespace articam::sim {
 
 /// The baseline is computed from the very marks that the tracker has just matched, hence the tracker.
-template <class Scenario, class Tracker>
+template <class Tracker>
 class RecordingLink {
  public:
-  RecordingLink(const Tracker& tracker, RunRecord& run) noexcept : tracker_{tracker}, run_{run} {}
+  using Model = typename Tracker::ModelType;
+  using Truth = std::function<ObjectState<Model>(double t_s)>;
+
+  RecordingLink(const Tracker& tracker, Truth truth, RunRecord& run)
+      : tracker_{tracker}, truth_{std::move(truth)}, run_{run} {}
 
   Status publish(const typename Tracker::EstimateType& estimate) noexcept {
-    using Model = typename Scenario::Model;
-    FrameRecord record = record_frame(Scenario::at(seconds_between({}, estimate.t_capture)), estimate);
+    FrameRecord record = record_frame(truth_(seconds_between({}, estimate.t_capture)), estimate);
     record.svd = svd_baseline<Model>(tracker_.matches(), tracker_.detections(), tracker_.camera());
     run_.frames.push_back(std::move(record));
     return Status::ok;
@@ -24,6 +30,7 @@ class RecordingLink {
 
  private:
   const Tracker& tracker_;
+  Truth truth_;
   RunRecord& run_;
 };
 

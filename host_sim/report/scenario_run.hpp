@@ -31,21 +31,21 @@ RunRecord describe(const std::string& mode, const RenderOptions& rendering) {
   return run;
 }
 
+template <class Model>
+std::vector<SceneMarker> scene_markers(const PlainConfiguration& plain) {
+  model::Configuration<Model, double> q;
+  q.T_cam_obj = plain.T_cam_obj;
+  for (int j = 0; j < model::kNumJoints<Model>; ++j) q.joints[j] = plain.joints[static_cast<std::size_t>(j)];
+  return scene_markers<Model>(q);
+}
+
 /// A frame as the camera saw it, with what was estimated there, as an SVG.
-template <class Scenario>
+template <class Model>
 std::string picture_of(const FrameRecord& frame, Renderer& renderer) {
-  using Model = typename Scenario::Model;
   std::vector<std::uint8_t> pixels;
-  renderer.render(scene_markers<Model>(Scenario::at(frame.t_s).q), frame.frame, pixels);
+  renderer.render(scene_markers<Model>(frame.truth), frame.frame, pixels);
   std::vector<SceneMarker> outlined;
-  if (frame.estimate) {
-    model::Configuration<Model, double> q;
-    q.T_cam_obj = frame.estimate->T_cam_obj;
-    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
-      q.joints[j] = frame.estimate->joints[static_cast<std::size_t>(j)];
-    }
-    outlined = scene_markers<Model>(q);
-  }
+  if (frame.estimate) outlined = scene_markers<Model>(*frame.estimate);
   const CameraParameters& camera = renderer.camera();
   return camera_picture({pixels.data(), camera.width_px, camera.height_px, camera.width_px}, camera, outlined);
 }

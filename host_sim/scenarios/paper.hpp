@@ -5,17 +5,22 @@
 
 #include "core/camera_parameters.hpp"
 #include "core/math/so3.hpp"
+#include "host_sim/dynamics/urdf_texts.hpp"
+#include "host_sim/scenarios/pull.hpp"
 #include "host_sim/world/drawer_motion.hpp"
 #include "host_sim/world/object_state.hpp"
 #include "static_models/printer_drawer/printer_drawer.hpp"
 
 namespace articam::sim {
 
-/// A printer stands before a VGA camera; its drawer rests for five seconds, then opens and closes.
+/// A printer stands before a VGA camera. A robot holds the handle of its drawer, and from 15 s on does what it is told:
+/// section V. Or, with no robot (`articam-sim drawer`), the drawer rests for five seconds, then opens and closes as by
+/// a perfect hand: at().
 struct PaperScenario {
   using Model = models::PrinterDrawer;
   static constexpr std::string_view kName = "paper";
-  static constexpr std::string_view kSummary = "a printer's drawer rests, then opens and closes at up to 50 mm/s";
+  static constexpr std::string_view kSummary =
+      "a robot opens and closes a printer's drawer that it only sees, from 15 s on";
   static constexpr double kDuration_s = 60;
   static constexpr DrawerMotion kDrawer{};
   static constexpr double kRest_s = kDrawer.rest_s;  ///< how long nothing moves at the start
@@ -39,6 +44,18 @@ struct PaperScenario {
     object.q.joints = {drawer.position, 0.12};
     object.qdot[6] = drawer.velocity;
     return object;
+  }
+
+  static Pull pull() {
+    Pull pull;
+    pull.object_urdf = urdf::kPrinterDrawer;
+    pull.joint = Model::Joint::kDrawerSlide;
+    pull.handle_link = "drawer";
+    pull.handle_m = {0, 0.1, -0.02};
+    pull.R_obj_base << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+    pull.commands = {{15, 0.02}, {17, 0.10}, {24, 0.05}, {30, 0.12}, {37, 0.03}, {44, 0.07}, {50, 0.11}, {54, 0.02}};
+    pull.settled = 0.003;
+    return pull;
   }
 };
 

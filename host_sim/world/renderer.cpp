@@ -60,7 +60,7 @@ Renderer::Renderer(const CameraParameters& camera, const RenderOptions& options)
   const double darkest = 1 / std::max(options.light_gradient, 1.0);
   for (int u = 0; u < camera.width_px; ++u) {
     const double across = static_cast<double>(u) / camera.width_px;
-    light_q14_.push_back(rounded((1 + across * (darkest - 1)) * (1 << kLightBits)));
+    light_q14_.push_back(rounded(options.exposure * (1 + across * (darkest - 1)) * (1 << kLightBits)));
   }
   if (!motion_.still()) motion_.apply(background_, whole(background_), moved_background_);
   blur_.apply(moved_background_, whole(soft_), soft_);

@@ -33,6 +33,7 @@ struct RenderOptions {
   std::uint64_t seed = 1;     ///< of the clutter and of the noise
   bool clutter = true;        ///< false: an even grey wall
   double light_gradient = 1;  ///< brightest to darkest side, left to right; at least 1
+  double exposure = 1;        ///< light by what is right, 0 to 2; beyond 1.19 the brightest cards saturate
   /// How far the image moves while it is exposed, each component up to 50 px; markers are where they are half-way.
   std::array<double, 2> motion_px{};
 };

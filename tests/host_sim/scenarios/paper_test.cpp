@@ -32,7 +32,7 @@ RunRecord run(tracker::Mode mode, std::uint32_t num_frames) {
   record.rest_s = PaperScenario::kRest_s;
   record.joint_names = {"drawer_slide", "marker_distance"};
   record.joint_is_length = {true, true};
-  RecordingLink<PaperScenario, Tracker> link{*tracker, record};
+  RecordingLink<Tracker> link{*tracker, &PaperScenario::at, record};
   hal::RunLoop loop{camera, clock, link, *tracker, {.period = std::chrono::milliseconds{33}}};
   EXPECT_EQ(loop.start(), Status::ok);
   while (loop.run_once() != hal::Tick::ended) {

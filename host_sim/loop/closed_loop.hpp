@@ -1,0 +1,219 @@
+#pragma once
+/// @file  A scenario's robot and object around the firmware's loop, from exposure to command.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "hal/run_loop.hpp"
+#include "host_sim/dynamics/read_mechanism.hpp"
+#include "host_sim/dynamics/urdf_texts.hpp"
+#include "host_sim/loop/eye_tracker.hpp"
+#include "host_sim/loop/scene_faults.hpp"
+#include "host_sim/ports/keeping_camera.hpp"
+#include "host_sim/ports/recording_link.hpp"
+#include "host_sim/report/scenario_run.hpp"
+#include "host_sim/world/seen_marks.hpp"
+
+namespace articam::sim {
+
+/// By what the controller goes.
+enum class Feedback {
+  standard,  ///< the tracker's default mode
+  paper,     ///< its mode of the paper
+  svd,       ///< the baseline of equation (7); it knows no velocity
+  truth,     ///< the object itself, at once
+};
+
+struct LoopOptions {
+  Feedback feedback{Feedback::standard};
+  bool rendered{true};  ///< false: detections with a detector's noise, without images
+  double duration_s{};
+  double rate_hz{30};
+  RenderOptions rendering;  ///< its seed is that of everything
+};
+
+/// Where an observer may look on.
+template <class Estimate>
+struct LoopObservers {
+  KeepingCamera<SimCamera>::Keep keep;              ///< each frame
+  std::function<Status(const Estimate&)> estimate;  ///< what the loop gave out
+  std::function<void(std::size_t frames)> progress;
+};
+
+struct ClosedLoopRun {
+  RunRecord record;
+  std::vector<ControlSample> samples;
+  hal::Counters counters;
+  int control_failures{};
+  std::string problem;  ///< empty where the run came to its end
+};
+
+/// One run: everything that moves, and the loop that looks at it.
+template <class Scenario, class Tracker>
+class ClosedLoop {
+ public:
+  using Model = typename Scenario::Model;
+  using EstimateType = typename Tracker::EstimateType;
+  using Observers = LoopObservers<EstimateType>;
+
+  ClosedLoop(const LoopOptions& options, Observers observers)
+      : options_{options},
+        observers_{std::move(observers)},
+        pull_{Scenario::pull()},
+        rest_{Scenario::at(0)},
+        manipulation_{setting(pull_, rest_), world_options(), pull_.control, pull_.commands,
+                      options.feedback == Feedback::truth ? Manipulation::Eye::truth : Manipulation::Eye::sightings},
+        tracker_{std::make_unique<Tracker>(Scenario::camera(), tracker_options(options))},
+        dice_{options.rendering.seed} {}
+
+  ClosedLoopRun run() {
+    ClosedLoopRun result;
+    result.record = describe<Scenario>(name(options_.feedback), options_.rendering);
+    SimCamera sim_camera{[this](double t_s, std::uint32_t k) { return expose(t_s, k); }, clock_, camera_options()};
+    KeepingCamera<SimCamera> camera{sim_camera, observers_.keep};
+    EyeTracker<Tracker> eye{*tracker_, seen_};
+    Link link{*this, {*tracker_, [this](double t_s) { return object_at(t_s); }, result.record}, eye, result.record};
+    const std::chrono::nanoseconds period{static_cast<std::int64_t>(1e9 / options_.rate_hz)};
+    hal::RunLoop loop{camera, clock_, link, eye, hal::LoopTimes{.period = period}};
+    if (loop.start() != Status::ok) return failed(std::move(result), "the simulated camera does not start");
+    for (hal::Tick tick = loop.run_once(); tick != hal::Tick::ended; tick = loop.run_once()) {
+      if (loop.counters().link_errors > 0) return failed(std::move(result), "an estimate could not be kept");
+      if (!camera.problem().empty()) return failed(std::move(result), camera.problem());
+      if (observers_.progress) observers_.progress(result.record.frames.size());
+    }
+    result.samples = manipulation_.samples();
+    result.counters = loop.counters();
+    result.control_failures = manipulation_.controller().failures();
+    return result;
+  }
+
+  static const char* name(Feedback feedback) noexcept {
+    constexpr const char* kNames[]{"default", "paper", "svd", "truth"};
+    return kNames[static_cast<int>(feedback)];
+  }
+
+  const Manipulation& manipulation() const noexcept { return manipulation_; }
+  Renderer& renderer(double t_s) {
+    const RenderOptions at = rendering_at(pull_.faults, t_s, options_.rendering);
+    auto& renderer = renderers_[{at.exposure, at.blur_px}];
+    if (!renderer) renderer = std::make_unique<Renderer>(Scenario::camera(), at);
+    return *renderer;
+  }
+
+ private:
+  /// Records what goes out, and tells the controller what it may know of it.
+  struct Link {
+    ClosedLoop& loop;
+    RecordingLink<Tracker> memory;
+    const EyeTracker<Tracker>& eye;
+    RunRecord& record;
+
+    Status publish(const EstimateType& estimate) noexcept {
+      loop.manipulation_.advance_to(seconds_between({}, loop.clock_.now()));
+      const Status recorded = memory.publish(estimate);
+      if (recorded != Status::ok) return recorded;
+      record.frames.back().step_s = eye.step_s();
+      loop.tell(estimate, record.frames.back());
+      return loop.observers_.estimate ? loop.observers_.estimate(estimate) : Status::ok;
+    }
+  };
+
+  static ClosedLoopRun failed(ClosedLoopRun&& run, const std::string& why) {
+    run.problem = why;
+    return std::move(run);
+  }
+
+  static tracker::Options tracker_options(const LoopOptions& options) {
+    tracker::Options tracking;
+    if (options.feedback == Feedback::paper) tracking.mode = tracker::Mode::paper;
+    return tracking;
+  }
+
+  static Setting setting(const Pull& pull, const ObjectState<Model>& rest) {
+    std::map<std::string, double> held;
+    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
+      const std::string_view joint = model::kValueRows<Model>[static_cast<std::size_t>(j)].name;
+      if (j != pull.joint) held.emplace(joint, rest.q.joints[j]);
+    }
+    return make_setting(read_mechanism(urdf::kHumanoidArm), read_mechanism(pull.object_urdf, held),
+                        std::string{pull.handle_link}, pull.handle_m, rest.q.joints[pull.joint],
+                        Eigen::Map<const Vec<double, 7>>{pull.posture.data()}, Quat<double>{pull.R_obj_base},
+                        rest.q.T_cam_obj);
+  }
+
+  WorldOptions world_options() const {
+    WorldOptions world = pull_.world;
+    world.seed = options_.rendering.seed;
+    return world;
+  }
+
+  SimCamera::Options camera_options() const {
+    SimCamera::Options camera;
+    camera.rate_hz = options_.rate_hz;
+    camera.num_frames = static_cast<std::uint32_t>(options_.duration_s * options_.rate_hz + 0.5);
+    camera.fate = [this](std::uint32_t k) {
+      return fate_of(pull_.faults, k / options_.rate_hz, k, options_.rendering.seed);
+    };
+    camera.unplugged = [this](double t_s) { return fault_at(pull_.faults, FaultKind::unplugged, t_s, -1) >= 0; };
+    return camera;
+  }
+
+  ObjectState<Model> object_at(double t_s) const noexcept {
+    const Manipulation::Instant instant = manipulation_.at(t_s);
+    ObjectState<Model> object = rest_;
+    object.q.T_cam_obj = instant.T_cam_obj;
+    object.q.joints[pull_.joint] = instant.position;
+    object.qdot.setZero();
+    object.qdot[6 + pull_.joint] = instant.rate;
+    return object;
+  }
+
+  /// The frame arrives now; it shows what was at t_s.
+  ImageView expose(double t_s, std::uint32_t k) {
+    manipulation_.advance_to(seconds_between({}, clock_.now()));
+    const ObjectState<Model> object = object_at(t_s);
+    if (!options_.rendered) {
+      const int most = static_cast<int>(fault_at(pull_.faults, FaultKind::hidden, t_s, kMaxDetections));
+      see_marks<Model>(object.q, tracker_camera_, options_.rendering.noise_grey, most, dice_, seen_);
+      return {};
+    }
+    std::vector<SceneMarker> markers = scene_markers<Model>(object.q);
+    apply(pull_.faults, t_s, markers);
+    Renderer& now = renderer(t_s);
+    now.render(markers, k, pixels_);
+    const CameraParameters& camera = now.camera();
+    return {pixels_.data(), camera.width_px, camera.height_px, camera.width_px};
+  }
+
+  void tell(const EstimateType& estimate, const FrameRecord& frame) noexcept {
+    using tracker::Reason;
+    const double t_s = seconds_between({}, estimate.t_capture);
+    if (options_.feedback == Feedback::svd) {
+      if (frame.svd) manipulation_.see({t_s, frame.svd->joints[static_cast<std::size_t>(pull_.joint)], 0});
+      return;
+    }
+    const bool predicted = estimate.status == tracker::TrackingStatus::coasting ||
+                           estimate.reason == Reason::camera_stalled || estimate.reason == Reason::stale_frame;
+    if (!estimate.valid || predicted) return;
+    manipulation_.see({t_s, static_cast<double>(estimate.q.joints[pull_.joint]),
+                       static_cast<double>(estimate.qdot[6 + pull_.joint])});
+  }
+
+  LoopOptions options_;
+  Observers observers_;
+  Pull pull_;
+  ObjectState<Model> rest_;
+  Manipulation manipulation_;
+  SimClock clock_;
+  std::unique_ptr<Tracker> tracker_;
+  vision::CameraModel<double> tracker_camera_{Scenario::camera()};
+  Dice dice_;
+  vision::Detections seen_{};
+  std::map<std::pair<double, double>, std::unique_ptr<Renderer>> renderers_;
+  std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace articam::sim

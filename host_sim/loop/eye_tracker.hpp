@@ -1,0 +1,38 @@
+#pragma once
+/// @file  A tracker that takes detections where the camera lends no pixels, and knows how long its last step took.
+
+#include <chrono>
+
+#include "core/timestamp.hpp"
+#include "core/tracker/tracking_status.hpp"
+#include "core/vision/detection.hpp"
+#include "core/vision/image_view.hpp"
+
+namespace articam::sim {
+
+/// Stands in for a tracker in a RunLoop. `seen` are the marks of the frame that was lent last, if it has no pixels.
+/// Steps are measured in real time: they differ from run to run.
+template <class Tracker>
+class EyeTracker {
+ public:
+  using EstimateType = typename Tracker::EstimateType;
+
+  EyeTracker(Tracker& tracker, const vision::Detections& seen) noexcept : tracker_{tracker}, seen_{seen} {}
+
+  EstimateType step(const ImageView& image, Timestamp t) noexcept {
+    const auto begin = std::chrono::steady_clock::now();
+    const EstimateType estimate = image.data == nullptr ? tracker_.step(seen_, false, t) : tracker_.step(image, t);
+    step_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return estimate;
+  }
+  EstimateType coast(Timestamp t, tracker::Reason why) noexcept { return tracker_.coast(t, why); }
+
+  double step_s() const noexcept { return step_s_; }
+
+ private:
+  Tracker& tracker_;
+  const vision::Detections& seen_;
+  double step_s_{};
+};
+
+}  // namespace articam::sim

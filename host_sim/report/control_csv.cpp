@@ -1,0 +1,27 @@
+#include "host_sim/report/control_csv.hpp"
+
+#include <fmt/format.h>
+
+namespace articam::sim {
+
+std::string control_csv(std::span<const ControlSample> samples) {
+  std::string text = "t_s,target,position,told,hand_vx,hand_vy,hand_vz,pull_n\n";
+  for (const ControlSample& s : samples) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.t_s, s.target, s.position, s.told,
+                   s.hand_velocity.x(), s.hand_velocity.y(), s.hand_velocity.z(), s.pull);
+  }
+  return text;
+}
+
+std::string pull_table_head() {
+  return "                          told - true          joint - target         hand\n"
+         "feedback   settled   in  RMS mm  peak   RMS mm  peak  overshoot mm   jerk m/s^3\n";
+}
+
+std::string pull_table_row(std::string_view feedback, const PullMetrics& m) {
+  return fmt::format("{:<10} {:>2} of {:>2} {:>4.2f} s {:>5.3f} {:>6.3f}   {:>5.2f} {:>6.2f}  {:>8.2f}     {:>8.2f}\n",
+                     feedback, m.settled, m.commands, m.settling_s, m.told_rms, m.told_peak, m.error_rms, m.error_peak,
+                     m.overshoot, m.jerk_rms);
+}
+
+}  // namespace articam::sim

@@ -1,0 +1,19 @@
+#pragma once
+/// @file  What the robot did, as text: every control period, or one line of it all.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "host_sim/loop/manipulation.hpp"
+#include "host_sim/report/pull_metrics.hpp"
+
+namespace articam::sim {
+
+/// control.csv: `t_s,target,position,told,hand_vx,hand_vy,hand_vz,pull_n`, one row a control period. SI.
+std::string control_csv(std::span<const ControlSample> samples);
+
+std::string pull_table_head();
+std::string pull_table_row(std::string_view feedback, const PullMetrics& metrics);
+
+}  // namespace articam::sim
