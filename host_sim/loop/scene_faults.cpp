@@ -27,6 +27,10 @@ void apply(std::span<const Fault> faults, double t_s, std::vector<SceneMarker>& 
   const auto seen =
       static_cast<std::size_t>(fault_at(faults, FaultKind::hidden, t_s, static_cast<double>(markers.size())));
   if (seen < markers.size()) markers.resize(seen);
+  const double moved_m = fault_at(faults, FaultKind::moved, t_s, 0);
+  if (moved_m != 0 && !markers.empty()) {
+    markers.front().centre_cam_m += moved_m * markers.front().normal_cam.unitOrthogonal();
+  }
   const int planted = static_cast<int>(fault_at(faults, FaultKind::planted, t_s, 0));
   if (planted == 0 || markers.empty()) return;
   // Beside the first marker, its like, and slowly on.

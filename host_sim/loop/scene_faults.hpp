@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host_sim/ports/sim_camera.hpp"
-#include "host_sim/scenarios/pull.hpp"
+#include "host_sim/scenarios/scenario.hpp"
 #include "host_sim/world/renderer.hpp"
 
 namespace articam::sim {
@@ -16,7 +16,7 @@ double fault_at(std::span<const Fault> faults, FaultKind kind, double t_s, doubl
 /// What becomes of frame k; which frames are dropped depends on the seed.
 FrameFate fate_of(std::span<const Fault> faults, double t_s, std::uint32_t k, std::uint64_t seed) noexcept;
 
-/// Leaves hidden markers out and puts planted ones in.
+/// Leaves hidden markers out, moves one, and puts planted ones in.
 void apply(std::span<const Fault> faults, double t_s, std::vector<SceneMarker>& markers);
 
 /// How a frame is rendered at an instant.

@@ -7,22 +7,22 @@
 
 #include "host_sim/report/camera_picture.hpp"
 #include "host_sim/report/run_record.hpp"
+#include "host_sim/scenarios/scenario.hpp"
 #include "host_sim/world/object_state.hpp"
 #include "host_sim/world/renderer.hpp"
 
 namespace articam::sim {
 
 /// A run before its first frame.
-template <class Scenario>
-RunRecord describe(const std::string& mode, const RenderOptions& rendering) {
-  using Model = typename Scenario::Model;
+template <class Model>
+RunRecord describe(const Scenario<Model>& scenario, const std::string& mode, const RenderOptions& rendering) {
   RunRecord run;
-  run.scenario = Scenario::kName;
+  run.scenario = scenario.name;
   run.mode = mode;
   run.seed = rendering.seed;
   run.noise_grey = rendering.noise_grey;
   run.blur_px = rendering.blur_px;
-  run.rest_s = Scenario::kRest_s;
+  run.rest_s = scenario.rest_s;
   run.degrees_of_freedom = model::kDof<Model>;
   for (const model::JointRow& joint : model::kValueRows<Model>) {
     run.joint_names.emplace_back(joint.name);

@@ -17,6 +17,7 @@ enum class FaultKind {
   unplugged,  ///< and says that it is gone
   hidden,     ///< only the first `amount` markers are seen
   planted,    ///< `amount` rings that belong to nobody drift by
+  moved,      ///< the first marker is `amount` metres from where it belongs
   exposure,   ///< light by `amount` of what is right
   blur,       ///< sigma of the lens becomes `amount` px
   friction,   ///< of the object, becomes `amount` times the model's
@@ -31,6 +32,7 @@ struct Fault {
   constexpr bool at(double t_s) const noexcept { return t_s >= from_s && t_s < to_s; }
 };
 
+/// A robot, where it holds the object, and what it is told to do with it.
 struct Pull {
   std::string_view object_urdf;
   int joint{};                   ///< index of the joint in the model's q; the others are held
@@ -40,7 +42,6 @@ struct Pull {
   std::array<double, 7> posture{-0.35, -0.25, 0.1, -1.3, 0.1, 0.1, 0.1};  ///< of humanoid_arm
   std::vector<JointCommand> commands;                                     ///< the first one switches control on
   double settled{};  ///< so near the target for good is settled, m or rad
-  std::vector<Fault> faults;
   WorldOptions world;
   ControlOptions control;
 };

@@ -1,11 +1,14 @@
 #pragma once
-/// @file  A scenario's robot and object around the firmware's loop, from exposure to command.
+/// @file  A scenario around the firmware's loop, from exposure to estimate, and to what the robot makes of it.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hal/run_loop.hpp"
 #include "host_sim/dynamics/read_mechanism.hpp"
@@ -43,8 +46,9 @@ struct LoopObservers {
   std::function<void(std::size_t frames)> progress;
 };
 
-struct ClosedLoopRun {
-  RunRecord record;
+struct LoopRun {
+  RunRecord record;                 ///< of a soak the newest frame only
+  std::array<long, 6> by_status{};  ///< estimates, in the order of TrackingStatus
   std::vector<ControlSample> samples;
   hal::Counters counters;
   int control_failures{};
@@ -52,41 +56,48 @@ struct ClosedLoopRun {
 };
 
 /// One run: everything that moves, and the loop that looks at it.
-template <class Scenario, class Tracker>
-class ClosedLoop {
+template <class Tracker>
+class SimulatedLoop {
  public:
-  using Model = typename Scenario::Model;
+  using Model = typename Tracker::ModelType;
   using EstimateType = typename Tracker::EstimateType;
   using Observers = LoopObservers<EstimateType>;
 
-  ClosedLoop(const LoopOptions& options, Observers observers)
-      : options_{options},
+  SimulatedLoop(const Scenario<Model>& scenario, const LoopOptions& options, Observers observers)
+      : scenario_{scenario},
+        options_{options},
         observers_{std::move(observers)},
-        pull_{Scenario::pull()},
-        rest_{Scenario::at(0)},
-        manipulation_{setting(pull_, rest_), world_options(), pull_.control, pull_.commands,
-                      options.feedback == Feedback::truth ? Manipulation::Eye::truth : Manipulation::Eye::sightings},
-        tracker_{std::make_unique<Tracker>(Scenario::camera(), tracker_options(options))},
-        dice_{options.rendering.seed} {}
+        tracker_{std::make_unique<Tracker>(scenario.camera, tracker_options(options))},
+        lens_{scenario.camera},
+        dice_{options.rendering.seed} {
+    if (!scenario_.pull) return;
+    const Pull& pull = *scenario_.pull;
+    WorldOptions world = pull.world;
+    world.seed = options.rendering.seed;
+    const auto eye = options.feedback == Feedback::truth ? Manipulation::Eye::truth : Manipulation::Eye::sightings;
+    robot_.emplace(setting(pull, scenario.rest), world, pull.control, pull.commands, eye);
+  }
 
-  ClosedLoopRun run() {
-    ClosedLoopRun result;
-    result.record = describe<Scenario>(name(options_.feedback), options_.rendering);
+  LoopRun run() {
+    LoopRun result;
+    result.record = describe(scenario_, name(options_.feedback), options_.rendering);
     SimCamera sim_camera{[this](double t_s, std::uint32_t k) { return expose(t_s, k); }, clock_, camera_options()};
     KeepingCamera<SimCamera> camera{sim_camera, observers_.keep};
     EyeTracker<Tracker> eye{*tracker_, seen_};
-    Link link{*this, {*tracker_, [this](double t_s) { return object_at(t_s); }, result.record}, eye, result.record};
+    Link link{*this, {*tracker_, [this](double t_s) { return object_at(t_s); }, result.record}, eye, result};
     const std::chrono::nanoseconds period{static_cast<std::int64_t>(1e9 / options_.rate_hz)};
     hal::RunLoop loop{camera, clock_, link, eye, hal::LoopTimes{.period = period}};
     if (loop.start() != Status::ok) return failed(std::move(result), "the simulated camera does not start");
     for (hal::Tick tick = loop.run_once(); tick != hal::Tick::ended; tick = loop.run_once()) {
       if (loop.counters().link_errors > 0) return failed(std::move(result), "an estimate could not be kept");
       if (!camera.problem().empty()) return failed(std::move(result), camera.problem());
-      if (observers_.progress) observers_.progress(result.record.frames.size());
+      if (observers_.progress) observers_.progress(static_cast<std::size_t>(loop.counters().frames));
     }
-    result.samples = manipulation_.samples();
     result.counters = loop.counters();
-    result.control_failures = manipulation_.controller().failures();
+    if (robot_) {
+      result.samples = robot_->samples();
+      result.control_failures = robot_->controller().failures();
+    }
     return result;
   }
 
@@ -95,33 +106,36 @@ class ClosedLoop {
     return kNames[static_cast<int>(feedback)];
   }
 
-  const Manipulation& manipulation() const noexcept { return manipulation_; }
+  /// As frames of an instant are rendered.
   Renderer& renderer(double t_s) {
-    const RenderOptions at = rendering_at(pull_.faults, t_s, options_.rendering);
+    const RenderOptions at = rendering_at(scenario_.faults, t_s, options_.rendering);
     auto& renderer = renderers_[{at.exposure, at.blur_px}];
-    if (!renderer) renderer = std::make_unique<Renderer>(Scenario::camera(), at);
+    if (!renderer) renderer = std::make_unique<Renderer>(scenario_.camera, at);
     return *renderer;
   }
 
  private:
   /// Records what goes out, and tells the controller what it may know of it.
   struct Link {
-    ClosedLoop& loop;
+    SimulatedLoop& loop;
     RecordingLink<Tracker> memory;
     const EyeTracker<Tracker>& eye;
-    RunRecord& record;
+    LoopRun& run;
 
     Status publish(const EstimateType& estimate) noexcept {
-      loop.manipulation_.advance_to(seconds_between({}, loop.clock_.now()));
+      loop.advance();
+      std::vector<FrameRecord>& frames = run.record.frames;
+      if (loop.scenario_.for_soaking) frames.clear();
       const Status recorded = memory.publish(estimate);
       if (recorded != Status::ok) return recorded;
-      record.frames.back().step_s = eye.step_s();
-      loop.tell(estimate, record.frames.back());
+      ++run.by_status[static_cast<std::size_t>(estimate.status)];
+      frames.back().step_s = eye.step_s();
+      loop.tell(estimate, frames.back());
       return loop.observers_.estimate ? loop.observers_.estimate(estimate) : Status::ok;
     }
   };
 
-  static ClosedLoopRun failed(ClosedLoopRun&& run, const std::string& why) {
+  static LoopRun failed(LoopRun&& run, const std::string& why) {
     run.problem = why;
     return std::move(run);
   }
@@ -144,72 +158,75 @@ class ClosedLoop {
                         rest.q.T_cam_obj);
   }
 
-  WorldOptions world_options() const {
-    WorldOptions world = pull_.world;
-    world.seed = options_.rendering.seed;
-    return world;
-  }
-
   SimCamera::Options camera_options() const {
     SimCamera::Options camera;
     camera.rate_hz = options_.rate_hz;
     camera.num_frames = static_cast<std::uint32_t>(options_.duration_s * options_.rate_hz + 0.5);
     camera.fate = [this](std::uint32_t k) {
-      return fate_of(pull_.faults, k / options_.rate_hz, k, options_.rendering.seed);
+      return fate_of(scenario_.faults, k / options_.rate_hz, k, options_.rendering.seed);
     };
-    camera.unplugged = [this](double t_s) { return fault_at(pull_.faults, FaultKind::unplugged, t_s, -1) >= 0; };
+    camera.unplugged = [this](double t_s) { return fault_at(scenario_.faults, FaultKind::unplugged, t_s, -1) >= 0; };
     return camera;
   }
 
-  ObjectState<Model> object_at(double t_s) const noexcept {
-    const Manipulation::Instant instant = manipulation_.at(t_s);
-    ObjectState<Model> object = rest_;
+  /// Robot and controller go on to the clock's now.
+  void advance() {
+    if (!robot_) return;
+    const double now_s = seconds_between({}, clock_.now());
+    robot_->world().set_friction_factor(
+        fault_at(scenario_.faults, FaultKind::friction, now_s, scenario_.pull->world.friction_factor));
+    robot_->advance_to(now_s);
+  }
+
+  ObjectState<Model> object_at(double t_s) const {
+    if (!robot_) return scenario_.motion(t_s);
+    const int joint = scenario_.pull->joint;
+    const Manipulation::Instant instant = robot_->at(t_s);
+    ObjectState<Model> object = scenario_.rest;
     object.q.T_cam_obj = instant.T_cam_obj;
-    object.q.joints[pull_.joint] = instant.position;
-    object.qdot.setZero();
-    object.qdot[6 + pull_.joint] = instant.rate;
+    object.q.joints[joint] = instant.position;
+    object.qdot[6 + joint] = instant.rate;
     return object;
   }
 
   /// The frame arrives now; it shows what was at t_s.
   ImageView expose(double t_s, std::uint32_t k) {
-    manipulation_.advance_to(seconds_between({}, clock_.now()));
+    advance();
     const ObjectState<Model> object = object_at(t_s);
     if (!options_.rendered) {
-      const int most = static_cast<int>(fault_at(pull_.faults, FaultKind::hidden, t_s, kMaxDetections));
-      see_marks<Model>(object.q, tracker_camera_, options_.rendering.noise_grey, most, dice_, seen_);
+      const int most = static_cast<int>(fault_at(scenario_.faults, FaultKind::hidden, t_s, kMaxDetections));
+      see_marks<Model>(object.q, lens_, options_.rendering.noise_grey, most, dice_, seen_);
       return {};
     }
     std::vector<SceneMarker> markers = scene_markers<Model>(object.q);
-    apply(pull_.faults, t_s, markers);
-    Renderer& now = renderer(t_s);
-    now.render(markers, k, pixels_);
-    const CameraParameters& camera = now.camera();
+    apply(scenario_.faults, t_s, markers);
+    renderer(t_s).render(markers, k, pixels_);
+    const CameraParameters& camera = scenario_.camera;
     return {pixels_.data(), camera.width_px, camera.height_px, camera.width_px};
   }
 
   void tell(const EstimateType& estimate, const FrameRecord& frame) noexcept {
     using tracker::Reason;
+    if (!robot_) return;
+    const int joint = scenario_.pull->joint;
     const double t_s = seconds_between({}, estimate.t_capture);
     if (options_.feedback == Feedback::svd) {
-      if (frame.svd) manipulation_.see({t_s, frame.svd->joints[static_cast<std::size_t>(pull_.joint)], 0});
+      if (frame.svd) robot_->see({t_s, frame.svd->joints[static_cast<std::size_t>(joint)], 0});
       return;
     }
     const bool predicted = estimate.status == tracker::TrackingStatus::coasting ||
                            estimate.reason == Reason::camera_stalled || estimate.reason == Reason::stale_frame;
     if (!estimate.valid || predicted) return;
-    manipulation_.see({t_s, static_cast<double>(estimate.q.joints[pull_.joint]),
-                       static_cast<double>(estimate.qdot[6 + pull_.joint])});
+    robot_->see({t_s, static_cast<double>(estimate.q.joints[joint]), static_cast<double>(estimate.qdot[6 + joint])});
   }
 
+  Scenario<Model> scenario_;
   LoopOptions options_;
   Observers observers_;
-  Pull pull_;
-  ObjectState<Model> rest_;
-  Manipulation manipulation_;
+  std::optional<Manipulation> robot_;
   SimClock clock_;
   std::unique_ptr<Tracker> tracker_;
-  vision::CameraModel<double> tracker_camera_{Scenario::camera()};
+  vision::CameraModel<double> lens_;
   Dice dice_;
   vision::Detections seen_{};
   std::map<std::pair<double, double>, std::unique_ptr<Renderer>> renderers_;
