@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -92,6 +93,8 @@ PullMetrics evaluate_pull(const Scenario<Model>& scenario, const LoopRun& run) {
   return sim::evaluate_pull(run.samples, pull.commands, pull.settled, pull.control.period_s);
 }
 
+bool knows_svd(const FrameRecord& frame) { return frame.svd.has_value(); }
+
 /// The table of what each feedback was worth, as it grows.
 template <class Model>
 int compare(const Scenario<Model>& scenario, const Arguments& arguments) {
@@ -101,7 +104,9 @@ int compare(const Scenario<Model>& scenario, const Arguments& arguments) {
   for (const auto& [name, feedback] : kFeedbacks) {
     const LoopRun run = SimulatedLoop<Tracker>{scenario, loop_options(scenario, arguments, feedback), {}}.run();
     if (!run.problem.empty()) return fail(run.problem);
-    const std::string row = pull_table_row(name, evaluate_pull(scenario, run));
+    const bool blind = feedback == Feedback::svd && std::ranges::none_of(run.record.frames, &knows_svd);
+    const std::string row = blind ? fmt::format("{:<10} knows no joint that turns\n", name)
+                                  : pull_table_row(name, evaluate_pull(scenario, run));
     fmt::print("{}", row);
     std::fflush(stdout);
     table += row;
@@ -163,10 +168,12 @@ struct Entry {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = [] {
     std::vector<Entry> made;
-    const auto add = [&made](const auto& scenario) {
-      made.push_back({std::string{scenario.name}, std::string{scenario.summary},
-                      [scenario](const Arguments& arguments) { return simulate(scenario, arguments); },
-                      scenario.pull.has_value()});
+    const auto add = [&made]<class Model>(const Scenario<Model>& scenario) {
+      if constexpr (tracker::kIsInFirmware<Model>) {
+        made.push_back({std::string{scenario.name}, std::string{scenario.summary},
+                        [scenario](const Arguments& arguments) { return simulate(scenario, arguments); },
+                        scenario.pull.has_value()});
+      }
     };
     add(paper_scenario());
     add(drawer_scenario());
@@ -194,8 +201,7 @@ int run(Arguments& arguments) {
   }
   for (const Entry& entry : entries()) {
     if (entry.name != arguments.scenario) continue;
-    const bool robot_wanted =
-        arguments.features || arguments.compare || arguments.mode == "svd" || arguments.mode == "truth";
+    const bool robot_wanted = arguments.compare || arguments.mode == "svd" || arguments.mode == "truth";
     if (robot_wanted && !entry.with_robot) {
       fmt::print(stderr, "articam-sim: {} has no robot: --compare and that mode are of the others\n", entry.name);
       return 2;

@@ -56,8 +56,10 @@ const ServoCommand& MultiRobotController::step(const JointFeedback& feedback, do
   put_motion();
   put_limits(feedback);
   JointVec acceleration;
+  double object_acceleration = 0;
   if (solver_.solve(program_, solution_) == QpStatus::solved) {
     acceleration = solution_.x.head(n);
+    object_acceleration = solution_.x[n];
     const JointVec on_hand = J_robot_.transpose() * solution_.x.tail<kForce>();
     command_.torque = robot_.mass_matrix() * acceleration + robot_.bias() + on_hand;
   } else {
@@ -65,7 +67,7 @@ const ServoCommand& MultiRobotController::step(const JointFeedback& feedback, do
     acceleration = -command_.qdot / options_.braking_s;
     command_.torque = robot_.mass_matrix() * acceleration + robot_.bias();
   }
-  integrate(acceleration);
+  integrate(acceleration, object_acceleration);
   return command_;
 }
 
@@ -160,11 +162,11 @@ void MultiRobotController::add_row(int column, double coefficient, double bound)
   program_.c[rows_++] = bound;
 }
 
-void MultiRobotController::integrate(const JointVec& acceleration) noexcept {
+void MultiRobotController::integrate(const JointVec& acceleration, double object_acceleration) noexcept {
   const double dt = options_.period_s;
   command_.q += dt * command_.qdot + 0.5 * dt * dt * acceleration;
   command_.qdot += dt * acceleration;
-  object_position_ += dt * object_rate_;
+  object_position_[0] += dt * object_rate_[0] + 0.5 * dt * dt * object_acceleration;
 }
 
 }  // namespace articam::sim

@@ -79,7 +79,7 @@ class MultiRobotController {
   void put_limits(const JointFeedback& feedback) noexcept;
   void bound_acceleration(int column, const MechanismJoint& joint, double q, double qdot, double max_rate) noexcept;
   void add_row(int column, double coefficient, double bound) noexcept;
-  void integrate(const JointVec& acceleration) noexcept;
+  void integrate(const JointVec& acceleration, double object_acceleration) noexcept;
 
   RigidBodyDynamics robot_, object_;
   Grasp grasp_;

@@ -38,7 +38,9 @@ double Manipulation::target_at(double t_s) const noexcept {
 
 void Manipulation::control() {
   const double now_s = static_cast<double>(steps_) * kDt;
-  ControlSample sample{now_s, world_.object_position(), world_.object_position(), world_.object_position(), {}, 0};
+  ControlSample sample;
+  sample.t_s = now_s;
+  sample.target = sample.position = sample.told = world_.object_position();
   if (!commands_.empty() && now_s >= commands_.front().t_s) {
     JointFeedback feedback{world_.object_position(), 0};
     if (eye_ == Eye::sightings) {

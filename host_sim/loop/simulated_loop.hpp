@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/tracker/options.hpp"
 #include "hal/run_loop.hpp"
 #include "host_sim/dynamics/read_mechanism.hpp"
 #include "host_sim/dynamics/urdf_texts.hpp"
@@ -216,7 +217,8 @@ class SimulatedLoop {
     }
     const bool predicted = estimate.status == tracker::TrackingStatus::coasting ||
                            estimate.reason == Reason::camera_stalled || estimate.reason == Reason::stale_frame;
-    if (!estimate.valid || predicted) return;
+    const bool held = estimate.observability[static_cast<std::size_t>(6 + joint)] == tracker::Observability::held;
+    if (!estimate.valid || predicted || held) return;
     robot_->see({t_s, static_cast<double>(estimate.q.joints[joint]), static_cast<double>(estimate.qdot[6 + joint])});
   }
 

@@ -14,12 +14,13 @@ std::string control_csv(std::span<const ControlSample> samples) {
 }
 
 std::string pull_table_head() {
-  return "                          told - true          joint - target         hand\n"
-         "feedback   settled   in  RMS mm  peak   RMS mm  peak  overshoot mm   jerk m/s^3\n";
+  return "                             told - true   at rest - target              hand\n"
+         "feedback   settled       in  RMS     peak    RMS     peak    overshoot   jerk\n"
+         "                          s   mm       mm     mm       mm           mm  m/s^3\n";
 }
 
 std::string pull_table_row(std::string_view feedback, const PullMetrics& m) {
-  return fmt::format("{:<10} {:>2} of {:>2} {:>4.2f} s {:>5.3f} {:>6.3f}   {:>5.2f} {:>6.2f}  {:>8.2f}     {:>8.2f}\n",
+  return fmt::format("{:<10} {:>2} of {:>2} {:>6.2f} {:>6.3f} {:>7.3f} {:>7.3f} {:>7.3f} {:>11.3f} {:>7.2f}\n",
                      feedback, m.settled, m.commands, m.settling_s, m.told_rms, m.told_peak, m.error_rms, m.error_peak,
                      m.overshoot, m.jerk_rms);
 }

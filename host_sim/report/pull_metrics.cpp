@@ -76,7 +76,7 @@ PullMetrics evaluate_pull(std::span<const ControlSample> samples, std::span<cons
 
   Sums error, told;
   for (const Step& step : steps) {
-    for (const ControlSample& sample : during(samples, step.from_s + metrics.settling_s, step.to_s)) {
+    for (const ControlSample& sample : during(samples, step.from_s + kAtRest_s, step.to_s)) {
       error.add(1000 * (sample.position - step.target));
     }
   }

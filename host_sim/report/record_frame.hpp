@@ -32,6 +32,7 @@ FrameRecord record_frame(const ObjectState<Model>& truth, const tracker::Estimat
   record.truth = plain(truth.q);
   for (int j = 0; j < model::kNumJoints<Model>; ++j) record.true_joint_rates.push_back(truth.qdot[6 + j]);
   record.status = estimate.status;
+  record.reason = estimate.reason;
   record.error_norm = static_cast<double>(estimate.error_norm);
   record.rms_px = static_cast<double>(estimate.rms_px);
   if (!estimate.valid) return record;

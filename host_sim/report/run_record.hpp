@@ -23,6 +23,7 @@ struct FrameRecord {
   PlainConfiguration truth;
   std::vector<double> true_joint_rates;  ///< per second
   tracker::TrackingStatus status{};
+  tracker::Reason reason{};
   std::optional<PlainConfiguration> estimate;  ///< where valid
   std::optional<PlainConfiguration> svd;       ///< the baseline, equation (7), where it saw enough rings
   double error_norm{};                         ///< ||e||, metric image plane

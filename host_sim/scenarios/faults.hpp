@@ -34,7 +34,7 @@ inline std::vector<Scenario<models::PrinterDrawer>> fault_scenarios() {
   add("late_frames", "every frame arrives 120 ms late", {late, kFrom_s, kTo_s, 0.12},
       {{kFrom_s, kFrom_s + 0.2, coasting, no_frame},
        {kFrom_s, kFrom_s + 0.2, degraded, camera_stalled},
-       {kFrom_s, kTo_s, tracking, late_result},
+       {kFrom_s, kTo_s + 0.1, tracking, late_result},
        {kTo_s, kEnd_s, tracking, none}});
   add("repeated_frames", "every frame comes twice", {repeated, kFrom_s, kTo_s, 1},
       {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, coasting, stale_frame}});
@@ -44,7 +44,9 @@ inline std::vector<Scenario<models::PrinterDrawer>> fault_scenarios() {
        {kFrom_s + 0.3, kTo_s + 0.1, lost, camera_stalled},
        {kTo_s, kEnd_s, tracking, none}});
   add("unplugged_camera", "the camera is unplugged, and plugged in again", {unplugged, kFrom_s, kTo_s, 1},
-      {{kFrom_s, kTo_s + 0.1, lost, camera_gone}, {kTo_s, kEnd_s, tracking, none}});
+      {{kFrom_s, kTo_s, lost, camera_gone},
+       {kTo_s, kTo_s + 0.1, lost, camera_stalled},
+       {kTo_s, kEnd_s, tracking, none}});
   add("hidden_markers", "no marker is seen", {hidden, kFrom_s, kTo_s, 0},
       {{kFrom_s, kFrom_s + 0.6, coasting, few_markers},
        {kFrom_s + 0.45, kTo_s, lost, few_markers},
@@ -55,7 +57,8 @@ inline std::vector<Scenario<models::PrinterDrawer>> fault_scenarios() {
       {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, tracking, outlier}});
   add("moved_marker", "a marker has moved by 2 cm", {moved, kFrom_s, kTo_s, 0.02},
       {{kFrom_s, kTo_s, tracking, outlier}, {kTo_s, kEnd_s, tracking, none}});
-  add("overexposure", "twice too much light", {exposure, kFrom_s, kTo_s, 2}, {{kFrom_s, kEnd_s, tracking, none}});
+  add("overexposure", "twice too much light", {exposure, kFrom_s, kTo_s, 2},
+      {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, degraded, weak_joint}});
   add("underexposure", "a tenth of the light", {exposure, kFrom_s, kTo_s, 0.1}, {{kFrom_s, kEnd_s, tracking, none}});
   add("blur", "out of focus: sigma of 4 px", {blur, kFrom_s, kTo_s, 4}, {{kFrom_s, kEnd_s, tracking, none}});
   add("jammed_drawer", "the drawer jams at 3.5 s: the fingers slip along it, and the eye knows",
