@@ -52,7 +52,7 @@ frame_folder=$out/frames
 mkdir -p "$frame_folder"
 if [ "$(find "$frame_folder" -name '*.pgm' | wc -l)" -ne 500 ]; then
   tools/quietly.sh "Rendering 500 frames" \
-    "$host/articam-sim" paper --duration 16.67 --frames-out "$frame_folder" --out "$out"
+    "$host/articam-sim" drawer --duration 16.67 --frames-out "$frame_folder" --out "$out"
   find "$frame_folder" -name '*.pgm' | sort | tail -n +501 | xargs -r rm
 fi
 

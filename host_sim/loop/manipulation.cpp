@@ -28,8 +28,8 @@ void Manipulation::advance_to(double t_s) {
   }
 }
 
-double Manipulation::target_at(double t_s) const noexcept {
-  double target = commands_.front().target;
+std::optional<double> Manipulation::wanted_at(double t_s) const noexcept {
+  std::optional<double> target;
   for (const JointCommand& command : commands_) {
     if (command.t_s <= t_s) target = command.target;
   }
@@ -41,14 +41,14 @@ void Manipulation::control() {
   ControlSample sample;
   sample.t_s = now_s;
   sample.target = sample.position = sample.told = world_.object_position();
-  if (!commands_.empty() && now_s >= commands_.front().t_s) {
+  if (const auto wanted = wanted_at(now_s)) {
     JointFeedback feedback{world_.object_position(), 0};
     if (eye_ == Eye::sightings) {
       feedback.age_s = now_s - sighting_.t_s;
       // Beyond the controller's patience it stops anyway.
       feedback.position = sighting_.position + std::min(feedback.age_s, 0.25) * sighting_.rate;
     }
-    sample.target = target_at(now_s);
+    sample.target = *wanted;
     sample.told = feedback.position;
     controller_.step(feedback, sample.target);
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// @file  Robot, object and controller in simulated time, and what the controller is told of the object.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,9 @@ class Manipulation {
   };
   Instant at(double t_s) const noexcept;
 
+  /// Nothing before control is switched on.
+  std::optional<double> wanted_at(double t_s) const noexcept;
+
   RobotAtObject& world() noexcept { return world_; }
   const MultiRobotController& controller() const noexcept { return controller_; }
   const std::vector<ControlSample>& samples() const noexcept { return samples_; }
@@ -57,7 +61,6 @@ class Manipulation {
 
  private:
   void control();
-  double target_at(double t_s) const noexcept;
 
   RobotAtObject world_;
   MultiRobotController controller_;

@@ -131,6 +131,7 @@ class SimulatedLoop {
       if (recorded != Status::ok) return recorded;
       ++run.by_status[static_cast<std::size_t>(estimate.status)];
       frames.back().step_s = eye.step_s();
+      if (loop.robot_) frames.back().wanted = loop.robot_->wanted_at(frames.back().t_s);
       loop.tell(estimate, frames.back());
       return loop.observers_.estimate ? loop.observers_.estimate(estimate) : Status::ok;
     }

@@ -42,6 +42,7 @@ class Table {
     for (const FrameRecord& frame : run.frames) {
       std::vector<double> row{frame.t_s, frame.estimate ? frame.error_norm : kNone};
       for (const auto& q : {std::optional{frame.truth}, frame.estimate, frame.svd}) append(q, row);
+      row.push_back(frame.wanted.value_or(kNone));
       rows_.push_back(std::move(row));
     }
   }
@@ -49,6 +50,7 @@ class Table {
   std::size_t truth(std::size_t column) const { return 2 + column; }
   std::size_t estimate(std::size_t column) const { return 2 + width_ + column; }
   std::size_t svd(std::size_t column) const { return 2 + 2 * width_ + column; }
+  std::size_t wanted() const { return 2 + 3 * width_; }
 
   std::string data_block() const {
     std::string data = "$run << END\n";
@@ -88,6 +90,7 @@ struct Panel {
   std::size_t column;
   double scale;
   bool is_error = false;
+  bool is_commanded = false;  ///< a robot was told where it should be
 };
 
 /// A step of 1, 2 or 5 times a power of ten that puts at most six marks on an axis.
@@ -114,12 +117,18 @@ std::string curves(const Table& table, const Panel& panel) {
   const double spread = panel.scale * table.spread([&](const auto& row) {
     return std::array{row[truth], row[estimate], row[svd]};
   });
+  // As in the paper: what the robot was told is a black dash-dotted line.
+  const std::string command =
+      panel.is_commanded
+          ? fmt::format("$run using 1:(${}*{}) with steps dashtype 4 linecolor rgb '#202020' title 'command', ",
+                        table.wanted() + 1, panel.scale)
+          : "";
   // Gnuplot counts columns from 1. The wide line of the truth comes first, so that what agrees with it stays visible.
   return fmt::format(
-      "set ytics {4}\nplot $run using 1:(${0}*{3}) with lines linewidth 4 linecolor rgb '#b8b8b8' title 'truth', "
+      "set ytics {4}\nplot {5}$run using 1:(${0}*{3}) with lines linewidth 4 linecolor rgb '#b8b8b8' title 'truth', "
       "$run using 1:(${2}*{3}) with lines dashtype 2 linecolor rgb '#d1495b' title 'SVD', "
       "$run using 1:(${1}*{3}) with lines linewidth 1.2 linecolor rgb '#00509d' title 'articam'\n",
-      truth + 1, estimate + 1, svd + 1, panel.scale, tic_step(spread));
+      truth + 1, estimate + 1, svd + 1, panel.scale, tic_step(spread), command);
 }
 
 struct Plan {
@@ -192,9 +201,10 @@ Status draw_figures(const RunRecord& run, std::vector<Figure>& figures) {
     const std::string unit = run.joint_is_length[j] ? "mm" : "deg";
     const double scale = run.joint_is_length[j] ? 1000 : kDegPerRad;
     const std::string paper = run.scenario == "paper" ? fmt::format(" (paper, figure {})", 6 + j) : "";
-    plans.push_back(stacked(
-        table, fmt::format("Joint {}{}, and articam's error.", run.joint_names[j], paper),
-        {{"joint [" + unit + "]", kBaseColumns + j, scale}, {"error [" + unit + "]", kBaseColumns + j, scale, true}}));
+    plans.push_back(
+        stacked(table, fmt::format("Joint {}{}, and articam's error.", run.joint_names[j], paper),
+                {{"joint [" + unit + "]", kBaseColumns + j, scale, false, static_cast<int>(j) == run.pulled_joint},
+                 {"error [" + unit + "]", kBaseColumns + j, scale, true}}));
   }
   figures.clear();
   const std::string data = table.data_block();

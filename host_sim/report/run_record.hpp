@@ -28,8 +28,9 @@ struct FrameRecord {
   std::optional<PlainConfiguration> svd;       ///< the baseline, equation (7), where it saw enough rings
   double error_norm{};                         ///< ||e||, metric image plane
   double rms_px{};
-  std::optional<double> nees;  ///< squared error by the estimate's own covariance
-  double step_s{};             ///< time from image to estimate on this machine
+  std::optional<double> wanted;  ///< of the joint that a robot pulls, while it is told to
+  std::optional<double> nees;    ///< squared error by the estimate's own covariance
+  double step_s{};               ///< time from image to estimate on this machine
 };
 
 struct RunRecord {
@@ -38,6 +39,7 @@ struct RunRecord {
   double noise_grey{}, blur_px{};
   double rest_s{};  ///< how long nothing moves at the start
   int degrees_of_freedom{};
+  int pulled_joint{-1};  ///< by a robot; -1: there is none
   std::vector<std::string> joint_names;
   std::vector<bool> joint_is_length;  ///< else an angle
   std::vector<FrameRecord> frames;

@@ -24,6 +24,7 @@ RunRecord describe(const Scenario<Model>& scenario, const std::string& mode, con
   run.blur_px = rendering.blur_px;
   run.rest_s = scenario.rest_s;
   run.degrees_of_freedom = model::kDof<Model>;
+  if (scenario.pull) run.pulled_joint = scenario.pull->joint;
   for (const model::JointRow& joint : model::kValueRows<Model>) {
     run.joint_names.emplace_back(joint.name);
     run.joint_is_length.push_back(joint.kind == model::JointKind::prismatic);

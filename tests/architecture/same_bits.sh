@@ -11,13 +11,13 @@ fi
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-# The drawer rests for five seconds: four more show it moving.
+# From 15 s on the robot is in control, from 17 s on it pulls.
 for mode in default paper; do
-  simulate() { "$1/articam-sim" paper --mode "$mode" --duration 9 --out "$out/$mode/$2" >"$out/log"; }
+  simulate() { "$1/articam-sim" paper --mode "$mode" --duration 19 --out "$out/$mode/$2" >"$out/log"; }
   simulate "$bin" first
   simulate "$bin" second
   simulate "$other_bin" other
-  for file in estimates.csv truth.csv; do
+  for file in estimates.csv truth.csv control.csv; do
     cmp "$out/$mode/first/$file" "$out/$mode/second/$file"
     cmp "$out/$mode/first/$file" "$out/$mode/other/$file"
   done

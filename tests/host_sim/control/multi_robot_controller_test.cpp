@@ -38,12 +38,11 @@ TEST(MultiRobotController, IsTheSecondOrderLawOfEquation8WhereNoLimitBinds) {
   MultiRobotController controller = controller_of(setting, options);
   double position = setting.object_position;
   for (int i = 0; i < 200; ++i) {
-    const double error = position - 0.025, rate = controller.object_rate();
+    const double error = position - 0.025;
     controller.step({position, 0}, 0.025);
-    const double wanted = -2 * std::sqrt(options.stiffness) * rate - options.stiffness * error;
-    // The other tasks weigh 1e-4 of this one. The rate that counts is the one at the beginning of the step.
-    const double slack = 2 * std::sqrt(options.stiffness) * std::abs(controller.object_rate() - rate);
-    EXPECT_NEAR(controller.solution()[7], wanted, 0.01 * std::abs(wanted) + slack + 1e-4) << i;
+    const double wanted = -2 * std::sqrt(options.stiffness) * controller.object_rate() - options.stiffness * error;
+    // The posture weighs 1e-4 of this task and asks for up to 2 rad/s^2; the hand's force weighs less.
+    EXPECT_NEAR(controller.solution()[7], wanted, 0.01 * std::abs(wanted) + 3e-4) << i;
     position += options.period_s * controller.object_rate();
   }
 }

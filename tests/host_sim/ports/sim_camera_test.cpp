@@ -54,5 +54,56 @@ TEST(SimCamera, LosesNoFrameToAnImpatientCaller) {
   EXPECT_EQ(frame.sequence, 0u);
 }
 
+/// Three frames of which the fate is given.
+struct Fated {
+  SimClock clock;
+  SimCamera camera;
+
+  explicit Fated(std::function<FrameFate(std::uint32_t)> fate, std::function<bool(double)> unplugged = {})
+      : camera{[](double, std::uint32_t) { return ImageView{}; },
+               clock,
+               {.rate_hz = 10, .num_frames = 3, .fate = std::move(fate), .unplugged = std::move(unplugged)}} {}
+
+  hal::Frame next() {
+    hal::Frame frame;
+    EXPECT_EQ(camera.acquire(frame, milliseconds{1000}), Status::ok);
+    return frame;
+  }
+};
+
+TEST(SimCamera, LeavesAGapWhereAFrameIsLost) {
+  Fated world{[](std::uint32_t k) { return FrameFate{.lost = k == 1}; }};
+  EXPECT_EQ(world.next().sequence, 0u);
+  EXPECT_EQ(world.next().sequence, 2u);
+}
+
+TEST(SimCamera, BringsARepeatedFrameTwiceAtOneTime) {
+  Fated world{[](std::uint32_t k) { return FrameFate{.repeated = k == 1}; }};
+  world.next();
+  const hal::Frame first = world.next();
+  const Timestamp then = world.clock.now();
+  const hal::Frame again = world.next();
+  EXPECT_EQ(again.sequence, first.sequence);
+  EXPECT_EQ(again.t_exposure, first.t_exposure);
+  EXPECT_EQ(world.clock.now(), then);
+  EXPECT_EQ(world.next().sequence, 2u);
+}
+
+TEST(SimCamera, BringsALateFrameLateAndTheNextBehindIt) {
+  Fated world{[](std::uint32_t k) { return FrameFate{.delay = milliseconds{k == 0 ? 200 : 0}}; }};
+  world.next();
+  EXPECT_EQ(world.clock.now().ns, 215'000'000);
+  EXPECT_EQ(world.next().t_exposure, from_seconds(0.1)) << "it has waited";
+  EXPECT_EQ(world.clock.now().ns, 215'000'000);
+}
+
+TEST(SimCamera, SaysThatItIsGoneAndComesBack) {
+  Fated world{{}, [](double t_s) { return t_s > 0.05 && t_s < 0.15; }};
+  world.next();
+  hal::Frame frame;
+  EXPECT_EQ(world.camera.acquire(frame, milliseconds{80}), Status::no_device);
+  EXPECT_EQ(world.next().sequence, 2u);
+}
+
 }  // namespace
 }  // namespace articam::sim
