@@ -154,8 +154,9 @@ int simulate(const Scenario<Model>& scenario, const Arguments& arguments) {
   }
   const double middle_s = run.record.frames[run.record.frames.size() / 2].t_s;
   const int code = report<Model>(run.record, loop.renderer(middle_s), out);
-  if (scenario.pull)
+  if (scenario.pull) {
     fmt::print("{}{}", pull_table_head(), pull_table_row(arguments.mode, evaluate_pull(scenario, run)));
+  }
   return code;
 }
 
@@ -192,23 +193,31 @@ int list_scenarios() {
   return 0;
 }
 
+/// Why these arguments do not go together; empty where they do.
+std::string misuse(const Arguments& arguments, const Entry& entry) {
+  const bool robot_wanted = arguments.compare || arguments.mode == "svd" || arguments.mode == "truth";
+  if (robot_wanted && !entry.with_robot) {
+    return entry.name + " has no robot: --compare, --mode svd and --mode truth are of the others";
+  }
+  if (arguments.features && !arguments.frames_out.empty()) {
+    return "--level features makes no frames that --frames-out could keep";
+  }
+  return {};
+}
+
 int run(Arguments& arguments) {
+  const auto entry = std::ranges::find(entries(), arguments.scenario, &Entry::name);
+  if (const std::string why = misuse(arguments, *entry); !why.empty()) {
+    fmt::print(stderr, "articam-sim: {}\n", why);
+    return 2;
+  }
   if (arguments.out.empty()) arguments.out = "out/" + arguments.scenario;
   for (const std::string& folder : {arguments.out, arguments.frames_out}) {
     std::error_code error;
     if (!folder.empty()) fs::create_directories(folder, error);
     if (error) return fail(fmt::format("{}: cannot be created: {}", folder, error.message()));
   }
-  for (const Entry& entry : entries()) {
-    if (entry.name != arguments.scenario) continue;
-    const bool robot_wanted = arguments.compare || arguments.mode == "svd" || arguments.mode == "truth";
-    if (robot_wanted && !entry.with_robot) {
-      fmt::print(stderr, "articam-sim: {} has no robot: --compare and that mode are of the others\n", entry.name);
-      return 2;
-    }
-    return entry.simulate(arguments);
-  }
-  return 2;  // not reached: the command line accepts only these names
+  return entry->simulate(arguments);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ Manipulation::Manipulation(const Setting& setting, const WorldOptions& world, co
                   setting.gravity_obj, setting.posture, setting.object_position, control},
       commands_{commands.begin(), commands.end()},
       eye_{eye},
+      max_silence_s_{control.max_silence_s},
       steps_per_period_{static_cast<int>(control.period_s / kDt + 0.5)},
       sighting_{-1e9, setting.object_position, 0},
       past_(static_cast<std::size_t>(kMemory_s / kDt) + 2, Past{setting.object_position, 0}) {}
@@ -45,8 +46,7 @@ void Manipulation::control() {
     JointFeedback feedback{world_.object_position(), 0};
     if (eye_ == Eye::sightings) {
       feedback.age_s = now_s - sighting_.t_s;
-      // Beyond the controller's patience it stops anyway.
-      feedback.position = sighting_.position + std::min(feedback.age_s, 0.25) * sighting_.rate;
+      feedback.position = sighting_.position + std::min(feedback.age_s, max_silence_s_) * sighting_.rate;
     }
     sample.target = *wanted;
     sample.told = feedback.position;

@@ -66,6 +66,7 @@ class Manipulation {
   MultiRobotController controller_;
   std::vector<JointCommand> commands_;
   Eye eye_;
+  double max_silence_s_;  ///< then the controller stops, and nothing is predicted further
   int steps_per_period_;
   long steps_{};
   JointSighting sighting_;

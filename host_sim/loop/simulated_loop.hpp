@@ -210,16 +210,16 @@ class SimulatedLoop {
   void tell(const EstimateType& estimate, const FrameRecord& frame) noexcept {
     using tracker::Reason;
     if (!robot_) return;
+    // What was only predicted is no news: the controller predicts for itself.
+    if (estimate.status == tracker::TrackingStatus::coasting || estimate.reason == Reason::camera_stalled) return;
     const int joint = scenario_.pull->joint;
     const double t_s = seconds_between({}, estimate.t_capture);
     if (options_.feedback == Feedback::svd) {
       if (frame.svd) robot_->see({t_s, frame.svd->joints[static_cast<std::size_t>(joint)], 0});
       return;
     }
-    const bool predicted = estimate.status == tracker::TrackingStatus::coasting ||
-                           estimate.reason == Reason::camera_stalled || estimate.reason == Reason::stale_frame;
     const bool held = estimate.observability[static_cast<std::size_t>(6 + joint)] == tracker::Observability::held;
-    if (!estimate.valid || predicted || held) return;
+    if (!estimate.valid || held) return;
     robot_->see({t_s, static_cast<double>(estimate.q.joints[joint]), static_cast<double>(estimate.qdot[6 + joint])});
   }
 

@@ -33,7 +33,6 @@ struct Scenario {
   std::function<ObjectState<Model>(double t_s)> motion{};  ///< it moves by itself
   std::vector<Fault> faults{};
   std::vector<Expected> expected{};
-  bool rendered{true};      ///< of an image: without one the scenario is not itself
   bool for_soaking{false};  ///< long: nothing is kept of a frame but its status
 };
 

@@ -125,6 +125,9 @@ TEST_F(Programs, SimRefusesWhatItCannotUseAndSaysWhy) {
   expect("articam-sim no_such --out out", 2, {"no_such", "paper"});
   expect("articam-sim paper --seed x --out out", 2, {"--seed"});
   expect("articam-sim paper --mode fast --out out", 2, {"--mode"});
+  expect("articam-sim drawer --mode truth --out out", 2, {"drawer has no robot"});
+  expect("articam-sim soak --compare --out out", 2, {"soak has no robot"});
+  expect("articam-sim paper --level features --frames-out out --out out", 2, {"--frames-out"});
   expect("articam-sim paper --duration 2 --out frames/a.pgm/out", 1, {"frames/a.pgm/out"});
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
