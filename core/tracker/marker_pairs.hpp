@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/model/forward_kinematics.hpp"
+#include "core/model/joint_paths.hpp"
 
 namespace articam::tracker {
 

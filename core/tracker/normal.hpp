@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/math/so3.hpp"
 #include "core/math/tree_factor.hpp"
 #include "core/model/configuration.hpp"
 
@@ -52,19 +53,34 @@ struct Normal {
   Status status;
 };
 
-/// Adds the prior:  H += P^-1,  b += P^-1 (q_prior - q).
+/// Adds the prior:  H += J^T P^-1 J,  b += J^T P^-1 e,  e = q_prior - q, which a step changes by -J step: J is the
+/// identity but for the rotation, where it is the inverse of exp's right Jacobian, to the second order of the turn.
+/// Turned by less than a milliradian, J is taken for the identity.
 template <class M, class S>
 void add_prior(const Prior<M, S>& prior, const model::Configuration<M, S>& q, Normal<M, S>& normal) noexcept {
-  const auto to_mean = model::difference(q, prior.mean);
+  const Vec<S, model::kDof<M>> e = model::difference(q, prior.mean);
+  Vec<S, model::kDof<M>> pull = prior.information.lazyProduct(e);
   S cost{};
-  for (int i = 0; i < model::kDof<M>; ++i) {
-    S pull{};
-    for (int j = 0; j < model::kDof<M>; ++j) pull += prior.information(i, j) * to_mean[j];
-    for (int j = 0; j <= i; ++j) normal.H.at(i, j) += prior.information(i, j);
-    normal.b[static_cast<std::size_t>(i)] += pull;
-    cost += to_mean[i] * pull;
-  }
+  for (int i = 0; i < model::kDof<M>; ++i) cost += e[i] * pull[i];
   normal.cost += S(0.5) * cost;
+
+  const auto add = [&](const typename Prior<M, S>::Square& information) {
+    for (int i = 0; i < model::kDof<M>; ++i) {
+      for (int j = 0; j <= i; ++j) normal.H.at(i, j) += information(i, j);
+      normal.b[static_cast<std::size_t>(i)] += pull[i];
+    }
+  };
+  const Vec<S, 3> turn = e.template segment<3>(3);
+  if (turn.squaredNorm() < S(1e-6)) return add(prior.information);
+  const Mat<S, 3, 3> X = math::hat<S>(turn);
+  const Mat<S, 3, 3> J = Mat<S, 3, 3>::Identity() + S(0.5) * X + S(1.0 / 12) * X.lazyProduct(X);
+  typename Prior<M, S>::Square information = prior.information;
+  information.template middleCols<3>(3) = prior.information.template middleCols<3>(3).lazyProduct(J);
+  const Mat<S, 3, model::kDof<M>> rows = J.transpose().lazyProduct(information.template middleRows<3>(3));
+  information.template middleRows<3>(3) = rows;
+  const Vec<S, 3> torque = J.transpose().lazyProduct(pull.template segment<3>(3));
+  pull.template segment<3>(3) = torque;
+  add(information);
 }
 
 }  // namespace articam::tracker

@@ -46,7 +46,7 @@ void Tracker<Model, Scalar>::learn_noise() noexcept {
   };
   Matches<Model, Scalar> centres = measured_;
   LeftOut{.shapes = true}.remove_from<Model, Scalar>(centres);
-  const Normal<Model, Scalar> by_centres = linearise(centres, q_),
+  const Normal<Model, Scalar> by_centres = linearise(centres, q_, feature_kind()),
                               by_all = linearise(measured_, q_, feature_kind(), found_.solution.scale);
   if (by_centres.status != Status::ok || by_all.status != Status::ok) return;
   const int num_centres = num_equations<Model, Scalar>(centres);

@@ -56,9 +56,11 @@ inline std::vector<Scenario<models::PrinterDrawer>> fault_scenarios() {
   add("planted_rings", "four rings that belong to nobody drift by", {planted, kFrom_s, kTo_s, 4},
       {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, tracking, outlier}});
   add("moved_marker", "a marker has moved by 2 cm", {moved, kFrom_s, kTo_s, 0.02},
-      {{kFrom_s, kTo_s, tracking, outlier}, {kTo_s, kEnd_s, tracking, none}});
+      {{kFrom_s, kTo_s, tracking, outlier}, {kFrom_s, kEnd_s, tracking, none}});
   add("overexposure", "twice too much light", {exposure, kFrom_s, kTo_s, 2},
-      {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, degraded, weak_joint}});
+      {{kFrom_s, kEnd_s, tracking, none},
+       {kFrom_s, kTo_s, degraded, weak_joint},
+       {kFrom_s, kTo_s, degraded, ambiguous}});
   add("underexposure", "a tenth of the light", {exposure, kFrom_s, kTo_s, 0.1}, {{kFrom_s, kEnd_s, tracking, none}});
   add("blur", "out of focus: sigma of 4 px", {blur, kFrom_s, kTo_s, 4}, {{kFrom_s, kEnd_s, tracking, none}});
   add("jammed_drawer", "the drawer jams at 3.5 s: the fingers slip along it, and the eye knows",
