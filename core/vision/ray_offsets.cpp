@@ -57,7 +57,7 @@ PerSample lit_part(const EdgeProfile& profile, std::int32_t half_window_q16) noe
   PerSample lit;
   for (int j = 0; j < kSamples; ++j) {
     const std::int32_t radius_q16 = kOne_q16 + half_window_q16 * (2 * j - (kSamples - 1)) / (kSamples - 1);
-    const std::int32_t radius_q12 = std::clamp(radius_q16 >> 4, 0, 2 << 12);
+    const std::int32_t radius_q12 = std::clamp<std::int32_t>(radius_q16 >> 4, 0, 2 << 12);
     const auto i = static_cast<std::size_t>(j);
     lit[i] = static_cast<std::int16_t>(profile.mean_q4[i] * radius_q12 >> 12);
   }
