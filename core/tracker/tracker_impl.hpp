@@ -98,7 +98,7 @@ auto Tracker<Model, Scalar>::follow(Timestamp t) noexcept -> EstimateType {
     weigh();  // how well does it fit
   }
   if (!following_ && !paper) acquire();  // detections -> q without a prediction
-  if (evidence_.agrees && evidence_.converged && !evidence_.outlier) learn_noise();
+  if (!paper && evidence_.agrees && evidence_.converged && !evidence_.outlier) learn_noise();
   return judge(t);
 }
 

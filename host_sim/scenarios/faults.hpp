@@ -61,7 +61,8 @@ inline std::vector<Scenario<models::PrinterDrawer>> fault_scenarios() {
       {{kFrom_s, kEnd_s, tracking, none},
        {kFrom_s, kTo_s, degraded, weak_joint},
        {kFrom_s, kTo_s, degraded, ambiguous}});
-  add("underexposure", "a tenth of the light", {exposure, kFrom_s, kTo_s, 0.1}, {{kFrom_s, kEnd_s, tracking, none}});
+  add("underexposure", "a tenth of the light", {exposure, kFrom_s, kTo_s, 0.1},
+      {{kFrom_s, kEnd_s, tracking, none}, {kFrom_s, kTo_s, degraded, not_converged}});
   add("blur", "out of focus: sigma of 4 px", {blur, kFrom_s, kTo_s, 4}, {{kFrom_s, kEnd_s, tracking, none}});
   add("jammed_drawer", "the drawer jams at 3.5 s: the fingers slip along it, and the eye knows",
       {friction, 3.5, kTo_s, 40}, {{kFrom_s, kEnd_s, tracking, none}});
