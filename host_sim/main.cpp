@@ -23,6 +23,7 @@
 #include "host_sim/report/control_csv.hpp"
 #include "host_sim/report/pull_metrics.hpp"
 #include "host_sim/report/run_folder.hpp"
+#include "host_sim/report/take_pictures.hpp"
 #include "host_sim/scenarios/cabinet.hpp"
 #include "host_sim/scenarios/door.hpp"
 #include "host_sim/scenarios/faults.hpp"
@@ -63,14 +64,14 @@ std::string write_whole(const fs::path& path, const std::string& content) {
   return written ? std::string{} : file.problem();
 }
 
-template <class Model>
-int report(const RunRecord& run, Renderer& renderer, const fs::path& out) {
-  const Metrics metrics = evaluate(run);
-  const FrameRecord& middle = run.frames[run.frames.size() / 2];
-  const std::string picture = picture_of<Model>(middle, renderer);
-  const std::string problem = write_report(out, run, metrics, picture, middle.t_s, write_whole);
+int write_all(const Report& report, const fs::path& out) {
+  const Metrics metrics = evaluate(report.run);
+  std::error_code error;
+  fs::create_directories(out / "figures", error);
+  if (error) return fail(fmt::format("{}: cannot be created: {}", (out / "figures").string(), error.message()));
+  const std::string problem = write_report(out, report, metrics, write_whole);
   if (!problem.empty()) return fail(problem);
-  fmt::print("{}  report              {}\n", summary(run, metrics), (out / "report.html").string());
+  fmt::print("{}  report              {}\n", summary(report.run, metrics), (out / "report.html").string());
   return std::fflush(stdout) == 0 ? 0 : fail(fmt::format("standard output: {}", std::strerror(errno)));
 }
 
@@ -95,24 +96,26 @@ PullMetrics evaluate_pull(const Scenario<Model>& scenario, const LoopRun& run) {
 
 bool knows_svd(const FrameRecord& frame) { return frame.svd.has_value(); }
 
-/// The table of what each feedback was worth, as it grows.
+/// What the robot did by this feedback; no samples where it knows no such joint.
 template <class Model>
-int compare(const Scenario<Model>& scenario, const Arguments& arguments) {
+FeedbackRun pulled_by(std::string_view feedback, const Scenario<Model>& scenario, LoopRun&& run) {
+  const bool blind = feedback == "svd" && std::ranges::none_of(run.record.frames, &knows_svd);
+  FeedbackRun pulled{std::string{feedback}, evaluate_pull(scenario, run), std::move(run.samples)};
+  if (blind) pulled.samples.clear();
+  return pulled;
+}
+
+/// The same by every other feedback. Returns what went wrong, or nothing.
+template <class Model>
+std::string compare(const Scenario<Model>& scenario, const Arguments& arguments, std::vector<FeedbackRun>& feedbacks) {
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
-  std::string table = pull_table_head();
-  fmt::print("{}", table);
   for (const auto& [name, feedback] : kFeedbacks) {
-    const LoopRun run = SimulatedLoop<Tracker>{scenario, loop_options(scenario, arguments, feedback), {}}.run();
-    if (!run.problem.empty()) return fail(run.problem);
-    const bool blind = feedback == Feedback::svd && std::ranges::none_of(run.record.frames, &knows_svd);
-    const std::string row = blind ? fmt::format("{:<10} knows no joint that turns\n", name)
-                                  : pull_table_row(name, evaluate_pull(scenario, run));
-    fmt::print("{}", row);
-    std::fflush(stdout);
-    table += row;
+    if (name == arguments.mode) continue;
+    LoopRun run = SimulatedLoop<Tracker>{scenario, loop_options(scenario, arguments, feedback), {}}.run();
+    if (!run.problem.empty()) return run.problem;
+    feedbacks.push_back(pulled_by(name, scenario, std::move(run)));
   }
-  const std::string problem = write_whole(fs::path{arguments.out} / "feedback.txt", table);
-  return problem.empty() ? 0 : fail(problem);
+  return {};
 }
 
 /// How many estimates said what; all that is kept of a soak.
@@ -126,13 +129,13 @@ int tell_soak(const LoopRun& run) {
 
 template <class Model>
 int simulate(const Scenario<Model>& scenario, const Arguments& arguments) {
-  if (arguments.compare) return compare(scenario, arguments);
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   Feedback feedback{};
   for (const auto& [name, named] : kFeedbacks) {
     if (name == arguments.mode) feedback = named;
   }
-  const LoopOptions options = loop_options(scenario, arguments, feedback);
+  LoopOptions options = loop_options(scenario, arguments, feedback);
+  options.with_rival = !scenario.for_soaking;
   const fs::path out{arguments.out};
   hal::FileLink<typename Tracker::EstimateType> file;
   LoopObservers<typename Tracker::EstimateType> observers;
@@ -144,19 +147,23 @@ int simulate(const Scenario<Model>& scenario, const Arguments& arguments) {
     observers.estimate = [&file](const auto& estimate) { return file.publish(estimate); };
   }
   SimulatedLoop<Tracker> loop{scenario, options, std::move(observers)};
-  const LoopRun run = loop.run();
+  LoopRun run = loop.run();
   if (!run.problem.empty()) return fail(file.problem().empty() ? run.problem : file.problem());
   if (scenario.for_soaking) return tell_soak(run);
   if (file.close() != Status::ok) return fail(file.problem());
+  const RunRecord record = std::move(run.record);
+  Report report{record, take_pictures<Model>(record, loop), {}};
+  std::string table;
   if (scenario.pull) {
-    const std::string problem = write_whole(out / "control.csv", control_csv(run.samples));
+    std::string problem = write_whole(out / "control.csv", control_csv(run.samples));
+    report.feedbacks.push_back(pulled_by(arguments.mode, scenario, std::move(run)));
+    if (problem.empty() && arguments.compare) problem = compare(scenario, arguments, report.feedbacks);
+    table = feedback_text(report.feedbacks);
+    if (problem.empty() && arguments.compare) problem = write_whole(out / "feedback.txt", table);
     if (!problem.empty()) return fail(problem);
   }
-  const double middle_s = run.record.frames[run.record.frames.size() / 2].t_s;
-  const int code = report<Model>(run.record, loop.renderer(middle_s), out);
-  if (scenario.pull) {
-    fmt::print("{}{}", pull_table_head(), pull_table_row(arguments.mode, evaluate_pull(scenario, run)));
-  }
+  const int code = write_all(report, out);
+  fmt::print("{}", table);
   return code;
 }
 
@@ -233,7 +240,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Renders a synthetic world, runs the firmware's loop on it, and compares its estimates with the truth.\n"
       "Writes truth.csv, estimates.csv, metrics.json and report.html. The same seed gives the same estimates.\n\n"
-      "Example:  articam-sim paper --seed 3 --mode paper --out out/paper-mode",
+      "Example:  articam-sim paper --seed 3 --compare --out out/paper-3",
       "articam-sim"};
   app.set_version_flag("--version", ARTICAM_VERSION);
   auto* scenario =
@@ -252,7 +259,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"rendered", "features"}))
       ->capture_default_str();
   app.add_flag("--compare", arguments.compare,
-               "run every mode and print how well the robot did by each (feedback.txt)");
+               "also run every other mode: how well the robot did by each, printed, in feedback.txt and in the report");
   app.add_option("--out", arguments.out, "folder for the results (default out/SCENARIO)");
   app.add_option("--frames-out", arguments.frames_out, "also keep every frame, as PGM, in this folder");
   app.add_option("--duration", arguments.duration_s, "simulated time, s (default: the scenario's)")

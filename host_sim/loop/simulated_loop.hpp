@@ -33,7 +33,8 @@ enum class Feedback {
 
 struct LoopOptions {
   Feedback feedback{Feedback::standard};
-  bool rendered{true};  ///< false: detections with a detector's noise, without images
+  bool rendered{true};     ///< false: detections with a detector's noise, without images
+  bool with_rival{false};  ///< the tracker's other mode takes the same marks and is recorded beside it
   double duration_s{};
   double rate_hz{30};
   RenderOptions rendering;  ///< its seed is that of everything
@@ -71,6 +72,11 @@ class SimulatedLoop {
         tracker_{std::make_unique<Tracker>(scenario.camera, tracker_options(options))},
         lens_{scenario.camera},
         dice_{options.rendering.seed} {
+    if (options.with_rival) {
+      tracker::Options rival;
+      rival.mode = options.feedback == Feedback::paper ? tracker::Mode::standard : tracker::Mode::paper;
+      rival_ = std::make_unique<Tracker>(scenario.camera, rival);
+    }
     if (!scenario_.pull) return;
     const Pull& pull = *scenario_.pull;
     WorldOptions world = pull.world;
@@ -82,9 +88,11 @@ class SimulatedLoop {
   LoopRun run() {
     LoopRun result;
     result.record = describe(scenario_, name(options_.feedback), options_.rendering);
+    result.record.rendered = options_.rendered;
+    if (rival_) result.record.rival_mode = options_.feedback == Feedback::paper ? "default" : "paper";
     SimCamera sim_camera{[this](double t_s, std::uint32_t k) { return expose(t_s, k); }, clock_, camera_options()};
     KeepingCamera<SimCamera> camera{sim_camera, observers_.keep};
-    EyeTracker<Tracker> eye{*tracker_, seen_};
+    EyeTracker<Tracker> eye{*tracker_, rival_.get(), seen_};
     Link link{*this, {*tracker_, [this](double t_s) { return object_at(t_s); }, result.record}, eye, result};
     const std::chrono::nanoseconds period{static_cast<std::int64_t>(1e9 / options_.rate_hz)};
     hal::RunLoop loop{camera, clock_, link, eye, hal::LoopTimes{.period = period}};
@@ -107,6 +115,19 @@ class SimulatedLoop {
     return kNames[static_cast<int>(feedback)];
   }
 
+  const CameraParameters& camera() const noexcept { return scenario_.camera; }
+
+  /// What the camera saw then, pixel by pixel; where no images were rendered, what it would have seen. Until the next.
+  ImageView image_of(const FrameRecord& frame) {
+    ObjectState<Model> object = scenario_.rest;
+    object.q.T_cam_obj = frame.truth.T_cam_obj;
+    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
+      object.q.joints[j] = frame.truth.joints[static_cast<std::size_t>(j)];
+    }
+    return photograph(object, frame.t_s, static_cast<std::uint32_t>(frame.t_s * options_.rate_hz + 0.5));
+  }
+
+ private:
   /// As frames of an instant are rendered.
   Renderer& renderer(double t_s) {
     const RenderOptions at = rendering_at(scenario_.faults, t_s, options_.rendering);
@@ -115,7 +136,6 @@ class SimulatedLoop {
     return *renderer;
   }
 
- private:
   /// Records what goes out, and tells the controller what it may know of it.
   struct Link {
     SimulatedLoop& loop;
@@ -131,6 +151,10 @@ class SimulatedLoop {
       if (recorded != Status::ok) return recorded;
       ++run.by_status[static_cast<std::size_t>(estimate.status)];
       frames.back().step_s = eye.step_s();
+      if (const EstimateType& rival = eye.rival_estimate(); rival.valid) {
+        frames.back().rival = plain(rival.q);
+        frames.back().rival_error_norm = static_cast<double>(rival.error_norm);
+      }
       if (loop.robot_) frames.back().wanted = loop.robot_->wanted_at(frames.back().t_s);
       loop.tell(estimate, frames.back());
       return loop.observers_.estimate ? loop.observers_.estimate(estimate) : Status::ok;
@@ -200,6 +224,10 @@ class SimulatedLoop {
       see_marks<Model>(object.q, lens_, options_.rendering.noise_grey, most, dice_, seen_);
       return {};
     }
+    return photograph(object, t_s, k);
+  }
+
+  ImageView photograph(const ObjectState<Model>& object, double t_s, std::uint32_t k) {
     std::vector<SceneMarker> markers = scene_markers<Model>(object.q);
     apply(scenario_.faults, t_s, markers);
     renderer(t_s).render(markers, k, pixels_);
@@ -228,7 +256,7 @@ class SimulatedLoop {
   Observers observers_;
   std::optional<Manipulation> robot_;
   SimClock clock_;
-  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<Tracker> tracker_, rival_;
   vision::CameraModel<double> lens_;
   Dice dice_;
   vision::Detections seen_{};

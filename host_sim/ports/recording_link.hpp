@@ -24,6 +24,10 @@ class RecordingLink {
   Status publish(const typename Tracker::EstimateType& estimate) noexcept {
     FrameRecord record = record_frame(truth_(seconds_between({}, estimate.t_capture)), estimate);
     record.svd = svd_baseline<Model>(tracker_.matches(), tracker_.detections(), tracker_.camera());
+    for (const auto& match : tracker_.matches()) {
+      if (estimate.matched > 0 && match.matched)
+        record.seen.push_back(tracker_.detections()[static_cast<std::size_t>(match.detection)].outer);
+    }
     run_.frames.push_back(std::move(record));
     return Status::ok;
   }

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "host_sim/loop/manipulation.hpp"
 #include "host_sim/report/pull_metrics.hpp"
@@ -13,7 +12,7 @@ namespace articam::sim {
 /// control.csv: `t_s,target,position,told,hand_vx,hand_vy,hand_vz,pull_n`, one row a control period. SI.
 std::string control_csv(std::span<const ControlSample> samples);
 
-std::string pull_table_head();
-std::string pull_table_row(std::string_view feedback, const PullMetrics& metrics);
+/// The contents of feedback.txt: a table with a line for each.
+std::string feedback_text(std::span<const FeedbackRun> feedbacks);
 
 }  // namespace articam::sim

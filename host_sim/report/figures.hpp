@@ -1,21 +1,24 @@
 #pragma once
-/// @file  The paper's figures 3 to 7, drawn by gnuplot.
+/// @file  All figures of a report, drawn by gnuplot.
 
-#include <string>
+#include <span>
 #include <vector>
 
 #include "core/status.hpp"
+#include "host_sim/report/figure.hpp"
+#include "host_sim/report/pull_metrics.hpp"
 #include "host_sim/report/run_record.hpp"
 
 namespace articam::sim {
 
-struct Figure {
-  std::string caption;
-  std::string svg;  ///< to be put into a page as it is; scales with its width
+/// In the order of the page's chapters.
+struct Figures {
+  std::vector<Figure> paper;   ///< see paper_figures
+  std::vector<Figure> robot;   ///< see pull_figures
+  std::vector<Figure> counts;  ///< see histogram_figures
 };
 
-/// Error norm; position; roll, pitch and yaw; then each joint. Replaces `figures`.
 /// Errors  io_error when the program gnuplot is missing or fails.
-Status draw_figures(const RunRecord& run, std::vector<Figure>& figures);
+Status draw_figures(const RunRecord& run, std::span<const FeedbackRun> feedbacks, Figures& figures);
 
 }  // namespace articam::sim

@@ -43,7 +43,8 @@ double orientation_error_deg(const PlainConfiguration& found, const PlainConfigu
 
 JointMetrics evaluate_joint(const RunRecord& run, std::size_t joint) {
   std::vector<double> velocity, error;
-  ErrorSums own, svd;
+  ErrorSums own, svd, rival;
+  int within = 0;
   for (const FrameRecord& frame : run.frames) {
     if (frame.t_s < kEvaluatedFrom_s) continue;
     const double truth = frame.truth.joints[joint];
@@ -51,15 +52,24 @@ JointMetrics evaluate_joint(const RunRecord& run, std::size_t joint) {
       velocity.push_back(frame.true_joint_rates[joint]);
       error.push_back(frame.estimate->joints[joint] - truth);
       own.add(1000 * error.back());
+      if (frame.claimed && std::abs(error.back()) <= 3 * frame.claimed->joints[joint]) ++within;
     }
     if (frame.svd) svd.add(1000 * (frame.svd->joints[joint] - truth));
+    if (frame.rival) rival.add(1000 * (frame.rival->joints[joint] - truth));
   }
-  return {run.joint_names[joint], run.joint_is_length[joint], own.rms(), own.mean(), own.largest, svd.rms(),
-          lag_ms(velocity, error)};
+  return {.name = run.joint_names[joint],
+          .is_length = run.joint_is_length[joint],
+          .rms = own.rms(),
+          .mean = own.mean(),
+          .max = own.largest,
+          .svd_rms = svd.rms(),
+          .rival_rms = rival.rms(),
+          .within_3_sigma = own.count == 0 ? 0 : 1.0 * within / own.count,
+          .lag_ms = lag_ms(velocity, error)};
 }
 
 void evaluate_base(const RunRecord& run, Metrics& metrics) {
-  ErrorSums position, orientation, svd_position, svd_orientation, nees;
+  ErrorSums position, orientation, svd_position, svd_orientation, rival_position, rival_orientation, nees;
   std::vector<double> rms_px;
   for (const FrameRecord& frame : run.frames) {
     if (frame.t_s < kEvaluatedFrom_s) continue;
@@ -72,6 +82,10 @@ void evaluate_base(const RunRecord& run, Metrics& metrics) {
       svd_position.add(position_error_mm(*frame.svd, frame.truth));
       svd_orientation.add(orientation_error_deg(*frame.svd, frame.truth));
     }
+    if (frame.rival) {
+      rival_position.add(position_error_mm(*frame.rival, frame.truth));
+      rival_orientation.add(orientation_error_deg(*frame.rival, frame.truth));
+    }
     if (frame.nees) nees.add(*frame.nees);
   }
   metrics.evaluated = position.count;
@@ -79,6 +93,8 @@ void evaluate_base(const RunRecord& run, Metrics& metrics) {
   metrics.orientation_rms_deg = orientation.rms();
   metrics.svd_position_rms_mm = svd_position.rms();
   metrics.svd_orientation_rms_deg = svd_orientation.rms();
+  metrics.rival_position_rms_mm = rival_position.rms();
+  metrics.rival_orientation_rms_deg = rival_orientation.rms();
   metrics.median_rms_px = quantile(rms_px, 0.5);
   metrics.mean_nees = nees.mean();
 }

@@ -28,7 +28,9 @@ struct JointMetrics {
   std::string name;
   bool is_length{};
   double rms{}, mean{}, max{};
-  double svd_rms{};  ///< of the baseline; lengths only
+  double svd_rms{};         ///< of the baseline; lengths only
+  double rival_rms{};       ///< of the other mode; 0 where none ran
+  double within_3_sigma{};  ///< share of errors within three of their claimed deviations
   std::optional<Interval> lag_ms;
 };
 
@@ -38,6 +40,7 @@ struct Metrics {
   std::vector<JointMetrics> joints;
   double position_rms_mm{}, orientation_rms_deg{};
   double svd_position_rms_mm{}, svd_orientation_rms_deg{};
+  double rival_position_rms_mm{}, rival_orientation_rms_deg{};
   double median_rms_px{};
   double mean_nees{};  ///< near the degrees of freedom where the covariance is true
   std::optional<Interval> decay_rate_per_s;

@@ -2,6 +2,8 @@
 /// @file  How well a robot has moved an object's joint, in numbers.
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "host_sim/loop/manipulation.hpp"
 
@@ -17,6 +19,13 @@ struct PullMetrics {
   double error_rms{}, error_peak{};  ///< of the joint about its target, from kAtRest_s after a command on
   double told_rms{}, told_peak{};    ///< what the controller believed minus what was so, at control instants
   double jerk_rms{};                 ///< of the hand, m/s^3, while control is on
+};
+
+/// A robot's run by one feedback.
+struct FeedbackRun {
+  std::string feedback;  ///< as of `--mode`
+  PullMetrics metrics;
+  std::vector<ControlSample> samples;  ///< none where that feedback knows no such joint
 };
 
 /// The first command switches control on and is no step. `near`: so close for good is settled, m or rad.

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <optional>
 
+#include "host_sim/report/roll_pitch_yaw.hpp"
 #include "host_sim/report/run_record.hpp"
 #include "host_sim/world/object_state.hpp"
 
@@ -24,6 +25,14 @@ std::optional<double> normalised_error_squared(const Mat<double, N, N>& P, const
   return delta.dot(factor.solve(delta));
 }
 
+template <int N>
+ClaimedErrors claimed_errors(const Quat<double>& R, const Mat<double, N, N>& P) {
+  const Vec<double, N> std = P.diagonal().cwiseMax(0.0).cwiseSqrt();
+  ClaimedErrors claimed{std.template head<3>(), roll_pitch_yaw_std(R, P.template block<3, 3>(3, 3)), {}};
+  claimed.joints.assign(std.data() + 6, std.data() + N);
+  return claimed;
+}
+
 template <class Model, class S>
 FrameRecord record_frame(const ObjectState<Model>& truth, const tracker::Estimate<Model, S>& estimate) {
   FrameRecord record;
@@ -41,6 +50,7 @@ FrameRecord record_frame(const ObjectState<Model>& truth, const tracker::Estimat
   q.T_cam_obj = record.estimate->T_cam_obj;
   q.joints = estimate.q.joints.template cast<double>();
   const Mat<double, model::kDof<Model>, model::kDof<Model>> P = estimate.covariance.template cast<double>();
+  record.claimed = claimed_errors<model::kDof<Model>>(q.T_cam_obj.R, P);
   record.nees = normalised_error_squared<model::kDof<Model>>(P, model::difference(q, truth.q));
   return record;
 }

@@ -6,26 +6,34 @@
 #include <vector>
 
 #include "host_sim/report/figures.hpp"
-#include "host_sim/report/report_html.hpp"
 #include "host_sim/report/truth_csv.hpp"
 
 namespace articam::sim {
 
-std::string write_report(const std::filesystem::path& folder, const RunRecord& run, const Metrics& metrics,
-                         const std::string& picture_svg, double picture_t_s, const WriteFile& write) {
+std::string write_report(const std::filesystem::path& folder, const Report& report, const Metrics& metrics,
+                         const WriteFile& write) {
+  const RunRecord& run = report.run;
   // truth.csv and metrics.json first: they do not need gnuplot.
   if (auto problem = write(folder / "truth.csv", truth_csv(run)); !problem.empty()) return problem;
   if (auto problem = write(folder / "metrics.json", metrics_json(run, metrics)); !problem.empty()) return problem;
   std::error_code ignored;
   std::filesystem::remove(folder / "report.html", ignored);  // an old page must not stand beside new numbers
-  std::vector<Figure> figures;
-  if (draw_figures(run, figures) != Status::ok) {
+  Figures figures;
+  if (draw_figures(run, report.feedbacks, figures) != Status::ok) {
     return fmt::format(
         "no report.html: the program gnuplot is missing or failed (Debian: apt-get install gnuplot-nox). "
         "The CSV files and metrics.json in {} are complete.",
         folder.string());
   }
-  return write(folder / "report.html", report_html(run, metrics, picture_svg, picture_t_s, figures));
+  const std::vector<Figure>* const chapters[]{&report.pictures, &figures.paper, &figures.robot, &figures.counts};
+  for (const auto* chapter : chapters) {
+    for (const Figure& figure : *chapter) {
+      if (figure.svg.empty()) continue;
+      const std::string problem = write(folder / "figures" / (figure.name + ".svg"), figure.svg);
+      if (!problem.empty()) return problem;
+    }
+  }
+  return write(folder / "report.html", report_html(report, metrics, figures));
 }
 
 std::string summary(const RunRecord& run, const Metrics& metrics) {

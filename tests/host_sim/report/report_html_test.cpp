@@ -2,48 +2,54 @@
 
 #include <gtest/gtest.h>
 
-#include "host_sim/report/camera_picture.hpp"
-#include "host_sim/scenarios/paper.hpp"
+#include "tests/host_sim/report/page_words.hpp"
 #include "tests/host_sim/report/synthetic_run.hpp"
 
 namespace articam::sim {
 namespace {
 
-std::size_t count(const std::string& page, const std::string& word) {
-  std::size_t n = 0;
-  for (std::size_t at = page.find(word); at != std::string::npos; at = page.find(word, at + 1)) ++n;
-  return n;
-}
+using test::count;
 
-std::string page() {
-  const CameraParameters camera = PaperScenario::camera();
-  const std::vector<std::uint8_t> pixels(640 * 480, 100);
-  const auto markers = scene_markers<PaperScenario::Model>(PaperScenario::at(0).q);
-  const std::string picture = camera_picture({pixels.data(), 640, 480, 640}, camera, markers);
-  const std::vector<Figure> figures(5, Figure{"caption", "<svg></svg>"});
-  const RunRecord run = test::late_run();
-  return report_html(run, evaluate(run), picture, 3.0, figures);
+const Figure kFigure{"name", "caption",
+                     "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"><image "
+                     "href=\"data:image/png;base64,\"/></svg>\n"};
+
+std::string page(const RunRecord& run, const std::vector<FeedbackRun>& feedbacks) {
+  const Figures figures{std::vector<Figure>(7, kFigure), std::vector<Figure>(1, kFigure),
+                        std::vector<Figure>(3, kFigure)};
+  return report_html({run, {kFigure}, feedbacks}, evaluate(run), figures);
 }
 
 TEST(ReportHtml, NeedsNothingFromOutside) {
-  const std::string html = page();
-  EXPECT_EQ(count(html, "http:"), 0u);
-  EXPECT_EQ(count(html, "https:"), 0u);
-  EXPECT_EQ(count(html, "src="), 0u);
-  EXPECT_EQ(count(html, "<link"), 0u);
-  EXPECT_EQ(count(html, "href=\"data:image/png;base64,"), 1u);
-  EXPECT_EQ(count(html, "href="), 1u);
+  const std::string html = page(test::late_run(), test::pulls());
+  for (const char* word : {"http:", "https:", "src=", "<link", "<script", "<?xml", "url("}) {
+    EXPECT_EQ(count(html, word), 0u) << word;
+  }
+  EXPECT_EQ(count(html, "href="), count(html, "href=\"data:image/png;base64,"));
 }
 
-TEST(ReportHtml, ShowsTheCameraFrameAndFiveFigures) {
-  const std::string html = page();
-  EXPECT_EQ(count(html, "<figure>"), 6u);
-  EXPECT_EQ(count(html, "</figure>"), 6u);
-  EXPECT_NE(html.find("slide, lag"), std::string::npos);
-  EXPECT_EQ(html.find("distance, lag"), std::string::npos);
+TEST(ReportHtml, ShowsEveryPictureAndFigureUnderItsName) {
+  const std::string html = page(test::late_run(), test::pulls());
+  EXPECT_EQ(count(html, "<figure id="), 12u);
+  EXPECT_EQ(count(html, "</figure>"), 12u);
 }
 
-TEST(CameraPicture, OfNoImageIsEmpty) { EXPECT_TRUE(camera_picture({}, PaperScenario::camera(), {}).empty()); }
+TEST(ReportHtml, SpeaksOfTheRobotOnlyWhereThereIsOne) {
+  const std::string robot = "What the robot made of it";
+  EXPECT_EQ(count(page(test::late_run(), {}), robot), 0u);
+  EXPECT_EQ(count(page(test::late_run(), test::pulls()), robot), 1u);
+}
+
+TEST(ReportHtml, HoldsTheOtherModeAgainstTheRuns) {
+  RunRecord run = test::late_run();
+  EXPECT_EQ(count(page(run, {}), "<th>paper's mode</th>"), 0u);
+  run.rival_mode = "paper";
+  EXPECT_EQ(count(page(run, {}), "<th>paper's mode</th>"), 1u);
+}
+
+TEST(ReportHtml, IsAlsoMadeOfARunThatNeverSawAnything) {
+  EXPECT_NE(page(test::blind_run(), {}).find("tracked in 0 of"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace articam::sim

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -17,11 +18,11 @@ TEST(WriteReport, EndsAtTheFirstFileThatCannotBeWritten) {
     written.push_back(path.filename().string());
     return written.size() < 2 ? std::string{} : std::string("disk full");
   };
-  EXPECT_EQ(write_report("nowhere", run, evaluate(run), "", 0, write), "disk full");
+  EXPECT_EQ(write_report("nowhere", {run, {}, {}}, evaluate(run), write), "disk full");
   EXPECT_EQ(written, (std::vector<std::string>{"truth.csv", "metrics.json"}));
 }
 
-TEST(WriteReport, WritesThePageLast) {
+TEST(WriteReport, WritesThePageLastAfterEveryFigureOnItsOwn) {
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "the program gnuplot is not installed";
   const RunRecord run = test::late_run();
   std::vector<std::string> written;
@@ -29,8 +30,12 @@ TEST(WriteReport, WritesThePageLast) {
     written.push_back(path.filename().string());
     return std::string{};
   };
-  EXPECT_EQ(write_report("nowhere", run, evaluate(run), "", 0, write), "");
-  EXPECT_EQ(written, (std::vector<std::string>{"truth.csv", "metrics.json", "report.html"}));
+  EXPECT_EQ(write_report("nowhere", {run, {}, {}}, evaluate(run), write), "");
+  ASSERT_GT(written.size(), 8u);
+  EXPECT_EQ(written.back(), "report.html");
+  for (const char* name : {"figure_3_error_norm.svg", "figure_6_slide.svg", "error_sizes.svg", "step_times.svg"}) {
+    EXPECT_EQ(std::ranges::count(written, name), 1) << name;
+  }
 }
 
 TEST(Summary, NamesEveryJointAndItsLag) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "host_sim/report/pull_metrics.hpp"
 #include "host_sim/report/run_record.hpp"
 
 namespace articam::sim::test {
@@ -37,6 +38,31 @@ inline RunRecord late_run() {
   run.frames[100].estimate.reset();
   run.frames[100].status = tracker::TrackingStatus::lost;
   return run;
+}
+
+/// The same without a single estimate.
+inline RunRecord blind_run() {
+  RunRecord run = late_run();
+  for (FrameRecord& frame : run.frames) {
+    frame.estimate.reset();
+    frame.svd.reset();
+    frame.status = tracker::TrackingStatus::lost;
+  }
+  return run;
+}
+
+/// A robot's second, by the default and by the truth; the SVD baseline does not know the joint.
+inline std::vector<FeedbackRun> pulls() {
+  std::vector<ControlSample> samples;
+  for (int i = 0; i < 200; ++i) {
+    ControlSample sample;
+    sample.t_s = 0.005 * i;
+    sample.target = 0.1;
+    sample.position = 0.1 * (1 - std::exp(-5 * sample.t_s));
+    sample.told = sample.position + 1e-4;
+    samples.push_back(sample);
+  }
+  return {{"default", {}, samples}, {"svd", {}, {}}, {"truth", {}, samples}};
 }
 
 }  // namespace articam::sim::test

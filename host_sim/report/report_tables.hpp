@@ -1,0 +1,21 @@
+#pragma once
+/// @file  The tables of the page.
+
+#include <span>
+#include <string>
+
+#include "host_sim/report/metrics.hpp"
+#include "host_sim/report/pull_metrics.hpp"
+
+namespace articam::sim {
+
+/// Errors of the run, of the tracker's other mode and of the SVD baseline side by side.
+std::string error_table(const RunRecord& run, const Metrics& metrics);
+
+/// Frames by what the tracker said of itself, residual, rate of convergence, time of a step.
+std::string tracker_table(const RunRecord& run, const Metrics& metrics);
+
+/// A column a feedback: how fast, how far beyond, how exact, how rough.
+std::string feedback_table(const RunRecord& run, std::span<const FeedbackRun> feedbacks);
+
+}  // namespace articam::sim
