@@ -155,7 +155,11 @@ class TreeFactor {
   /// Errors  ill_conditioned when a pivot is not positive, or not a number.
   Status factorise(const TreeMatrix<Tree, S>& H, S damping = S(0)) noexcept {
     Entries U;  // H, to become D L
-    load(H.entries, U, std::make_index_sequence<std::tuple_size_v<Entries>>{});
+    if constexpr (Pattern::kStraight) {
+      load(H.entries, U, std::make_index_sequence<std::tuple_size_v<Entries>>{});
+    } else {
+      U = H.entries;
+    }
     for (int row = 0; row < kSize; ++row) U[at(Pattern::entry(row, row))] *= S(1) + damping;
     Pivots pivots{std::numeric_limits<S>::max(), S(0)};
     if constexpr (Pattern::kStraight) {
