@@ -69,7 +69,8 @@ void Acquisition<M, S>::record(const Hypothesis<M, S>& hypothesis) noexcept {
   if (kept.size() == 2 && kept[1].cost < kept[0].cost) std::swap(kept[0], kept[1]);
 }
 
-/// More equations than the paired markers' unknowns, and pairs that agree.
+/// More equations than the paired markers' unknowns, and pairs that agree. A box never shows all its faces: where the
+/// pairs alone give three times as many equations as there are unknowns, they vouch for the rest.
 template <class M, class S>
 bool Acquisition<M, S>::is_credible(const Hypothesis<M, S>& hypothesis) const noexcept {
   JointSet joints = 0;
@@ -79,9 +80,10 @@ bool Acquisition<M, S>::is_credible(const Hypothesis<M, S>& hypothesis) const no
     if (first < 0) first = static_cast<int>(m);
     joints |= joints_between<M>(M::kMarkers[static_cast<std::size_t>(first)].body, M::kMarkers[m].body);
   }
-  const bool whole = hypothesis.paired == model::kNumMarkers<M>;
-  return 2 * hypothesis.paired > 6 + std::popcount(joints) && is_determined(hypothesis) &&
-         hypothesis.misfit <= (whole ? kMaxMisfit : kMaxMisfitOfPart) * static_cast<S>(hypothesis.paired);
+  const int equations = 2 * hypothesis.paired, unknowns = 6 + std::popcount(joints);
+  const bool ample = hypothesis.paired == model::kNumMarkers<M> || equations >= 3 * unknowns;
+  return equations > unknowns && is_determined(hypothesis) &&
+         hypothesis.misfit <= (ample ? kMaxMisfit : kMaxMisfitOfPart) * static_cast<S>(hypothesis.paired);
 }
 
 template <class M, class S>
