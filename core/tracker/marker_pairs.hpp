@@ -51,12 +51,27 @@ constexpr std::size_t count_pairs() {
   return n;
 }
 
+/// A pair with what decides its rank, computed once: compilers bound the steps of a constant.
+struct RankedPair {
+  MarkerPair pair{};
+  int body{};  ///< of both markers; 0 where a joint is between them, as their distance is
+  double distance2_m2{};
+
+  constexpr bool operator<(const RankedPair& other) const {
+    const MarkerPair &x = pair, &y = other.pair;
+    if ((x.joint < 0) != (y.joint < 0)) return x.joint < 0;
+    if (body != other.body) return body < other.body;
+    if (distance2_m2 != other.distance2_m2) return distance2_m2 > other.distance2_m2;
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  }
+};
+
 /// Of two markers on one body; of others their distance says little, the joint being anywhere.
 template <class M>
-constexpr double distance2(const MarkerPair& pair) {
+constexpr double distance2(std::size_t a, std::size_t b) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double d = M::kMarkers[pair.a].t_body_m[i] - M::kMarkers[pair.b].t_body_m[i];
+    const double d = M::kMarkers[a].t_body_m[i] - M::kMarkers[b].t_body_m[i];
     sum += d * d;
   }
   return sum;
@@ -65,24 +80,22 @@ constexpr double distance2(const MarkerPair& pair) {
 template <class M>
 constexpr auto ordered_pairs() {
   static_assert(M::kMarkers.size() < 256, "indices of a byte");
-  std::array<MarkerPair, count_pairs<M>()> pairs{};
+  std::array<RankedPair, count_pairs<M>()> ranked{};
   std::size_t n = 0;
   for (std::size_t b = 0; b < M::kMarkers.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
       if (!is_pair<M>(a, b)) continue;
       const JointSet joints = joints_between<M>(M::kMarkers[a].body, M::kMarkers[b].body);
-      pairs[n++] = {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
-                    static_cast<std::int8_t>(joints == 0 ? -1 : std::countr_zero(joints))};
+      const bool fixed = joints == 0;
+      ranked[n++] = {{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
+                      static_cast<std::int8_t>(fixed ? -1 : std::countr_zero(joints))},
+                     fixed ? M::kMarkers[a].body : 0,
+                     fixed ? distance2<M>(a, b) : 0};
     }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const MarkerPair& x, const MarkerPair& y) {
-    const bool x_fixed = x.joint < 0, y_fixed = y.joint < 0;
-    if (x_fixed != y_fixed) return x_fixed;
-    const int x_body = M::kMarkers[x.a].body, y_body = M::kMarkers[y.a].body;
-    if (x_fixed && x_body != y_body) return x_body < y_body;
-    if (x_fixed && distance2<M>(x) != distance2<M>(y)) return distance2<M>(x) > distance2<M>(y);
-    return x.a != y.a ? x.a < y.a : x.b < y.b;
-  });
+  std::sort(ranked.begin(), ranked.end());
+  std::array<MarkerPair, count_pairs<M>()> pairs{};
+  for (std::size_t i = 0; i < n; ++i) pairs[i] = ranked[i].pair;
   return pairs;
 }
 
