@@ -64,66 +64,16 @@ struct TreePattern {
     return kEntry[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
   }
 
-  /// target -= left right
-  struct Update {
-    Index target, left, right;
-  };
-  /// Calls visit(row, i, k) for each product (k, row) (k, i) that belongs to the entry (row, i), the last row first.
-  template <class Visit>
-  static constexpr void for_each_product(Visit&& visit) noexcept {
-    for (int row = kSize - 1; row >= 0; --row) {
-      for (int i = row; i >= 0; i = parent(i)) {
-        for (int k = kSize - 1; k > row; --k) {
-          if (entry(k, row) >= 0) visit(row, i, k);
-        }
-      }
+  /// Products of the factorisation: for each k behind a row, one an entry of the row.
+  static constexpr int kNumUpdates = [] {
+    int n = 0;
+    for (int k = 0; k < kSize; ++k) {
+      for (int row = parent(k); row >= 0; row = parent(row)) n += length(row);
     }
-  }
-  static constexpr std::size_t kNumUpdates = [] {
-    std::size_t n = 0;
-    for_each_product([&](int, int, int) { ++n; });
     return n;
   }();
-  static constexpr auto kUpdates = [] {
-    std::array<Update, kNumUpdates> updates{};
-    std::size_t n = 0;
-    for_each_product([&](int row, int i, int k) { updates[n++] = {entry(row, i), entry(k, row), entry(k, i)}; });
-    return updates;
-  }();
-  /// kFirstUpdate[row]: the updates of a row's entries begin there and end where those of row - 1 begin.
-  static constexpr auto kFirstUpdate = [] {
-    std::array<std::size_t, kSize + 1> first{};
-    for_each_product([&](int row, int, int) { ++first[static_cast<std::size_t>(row)]; });
-    std::size_t sum = 0;
-    for (std::size_t row = kSize; row-- > 0;) {
-      const std::size_t count = first[row];
-      first[row] = sum;
-      sum += count;
-    }
-    return first;
-  }();
-  static constexpr std::size_t first_update(int row) noexcept {
-    return row < 0 ? kNumUpdates : kFirstUpdate[static_cast<std::size_t>(row)];
-  }
 
-  static constexpr std::size_t num_updates(int row) noexcept { return first_update(row - 1) - first_update(row); }
-
-  /// The entries off the diagonal, row by row.
-  struct Link {
-    Index entry, row, column;
-  };
-  static constexpr auto kLinks = [] {
-    std::array<Link, static_cast<std::size_t>(kEntries - kSize)> links{};
-    std::size_t n = 0;
-    for (int row = 0; row < kSize; ++row) {
-      for (int i = parent(row); i >= 0; i = parent(i)) {
-        links[n++] = {entry(row, i), static_cast<Index>(row), static_cast<Index>(i)};
-      }
-    }
-    return links;
-  }();
-
-  /// Straight code up to here, loops over the same lists beyond: 12 unknowns that all depend on each other.
+  /// Straight code up to here, loops beyond: 12 unknowns that all depend on each other.
   static constexpr bool kStraight = kNumUpdates <= 300;
 };
 
@@ -144,7 +94,7 @@ struct TreeMatrix {
   }
 };
 
-/// H = L^T D L of a positive definite matrix.
+/// H = L^T D L of a positive definite matrix. Kept is D L, and on its diagonal, where L has ones, D^-1.
 template <class Tree, class S>
 class TreeFactor {
  public:
@@ -153,102 +103,124 @@ class TreeFactor {
 
   /// Factorises H with its diagonal raised by the share `damping`.
   /// Errors  ill_conditioned when a pivot is not positive, or not a number.
-  Status factorise(const TreeMatrix<Tree, S>& H, S damping = S(0)) noexcept {
-    Entries U;  // H, to become D L
-    if constexpr (Pattern::kStraight) {
-      load(H.entries, U, std::make_index_sequence<std::tuple_size_v<Entries>>{});
-    } else {
-      U = H.entries;
-    }
-    for (int row = 0; row < kSize; ++row) U[at(Pattern::entry(row, row))] *= S(1) + damping;
+  [[gnu::always_inline]] Status factorise(const TreeMatrix<Tree, S>& H, S damping = S(0)) noexcept {
     Pivots pivots{std::numeric_limits<S>::max(), S(0)};
     if constexpr (Pattern::kStraight) {
-      eliminate_straight(U, pivots, std::make_integer_sequence<int, kSize>{});
+      eliminate_straight(H, S(1) + damping, pivots, std::make_integer_sequence<int, kSize>{});
     } else {
-      for (int row = kSize - 1; row >= 0; --row) {
-        for (std::size_t n = Pattern::first_update(row); n < Pattern::first_update(row - 1); ++n) update(U, n);
-        invert_pivot(U, row, pivots);
-        const auto first = at(Pattern::entry(row, row)), end = first + static_cast<std::size_t>(Pattern::length(row));
-        for (std::size_t n = first + 1; n < end; ++n) scale(U, row, n);
-      }
+      for (int row = kSize - 1; row >= 0; --row) eliminate(H, S(1) + damping, pivots, row);
     }
     // A pivot that is not a number makes a sum that is none.
     return pivots.least > std::numeric_limits<S>::min() && is_finite(pivots.sum) ? Status::ok : Status::ill_conditioned;
   }
 
-  /// x of H x = b, in the place of b, kSize numbers; only after factorise() returned ok.
-  void solve(S* x) const noexcept {
+  /// x of H x = b, kSize numbers each, x and b perhaps the same; only after factorise() returned ok.
+  [[gnu::always_inline]] void solve(const S* b, S* x) const noexcept {
     if constexpr (Pattern::kStraight) {
-      solve_straight(x, std::make_index_sequence<kLinks>{}, std::make_index_sequence<kSize>{});
+      solve_straight(b, x, std::make_integer_sequence<int, kSize>{});
     } else {
-      for (std::size_t n = kLinks; n-- > 0;) pass_up(x, n);
-      for (std::size_t i = 0; i < inverse_D_.size(); ++i) x[i] *= inverse_D_[i];
-      for (std::size_t n = 0; n < kLinks; ++n) pass_down(x, n);
+      for (int row = 0; row < kSize; ++row) x[row] = b[row];
+      for (int row = kSize - 1; row >= 0; --row) pass_up(x, row);
+      for (int row = 0; row < kSize; ++row) pass_down(x, row);
     }
   }
 
  private:
-  using Entries = std::array<S, static_cast<std::size_t>(Pattern::kEntries)>;
-  static constexpr std::size_t kLinks = Pattern::kLinks.size();
-
-  static constexpr std::size_t at(typename Pattern::Index i) noexcept { return static_cast<std::size_t>(i); }
-
   struct Pivots {
     S least, sum;
+    void count(S d) noexcept {
+      least = d < least ? d : least;
+      sum += d;
+    }
   };
+  /// The unknowns between a row's own and the root: the columns of its entries beside the diagonal.
+  template <int kRow>
+  static constexpr auto kAbove = [] {
+    std::array<std::size_t, static_cast<std::size_t>(Pattern::length(kRow) - 1)> above{};
+    int i = kRow;
+    for (std::size_t& column : above) column = static_cast<std::size_t>(i = Pattern::parent(i));
+    return above;
+  }();
+  template <int kRow>
+  using Columns = std::make_index_sequence<kAbove<kRow>.size()>;
 
-  // What follows is forced into its caller. Where row and n are constants there, nothing is left of the tables.
-  [[gnu::always_inline]] void update(Entries& U, std::size_t n) const noexcept {
-    const auto& [target, left, right] = Pattern::kUpdates[n];
-    U[at(target)] -= L_[at(left)] * U[at(right)];
+  static constexpr std::size_t at(int k, int i) noexcept { return static_cast<std::size_t>(Pattern::entry(k, i)); }
+
+  void eliminate(const TreeMatrix<Tree, S>& H, S raise, Pivots& pivots, int row) noexcept {
+    const auto length = static_cast<std::size_t>(Pattern::length(row));
+    S* entries = &entries_[at(row, row)];
+    for (std::size_t j = 0; j < length; ++j) entries[j] = H.entries[at(row, row) + j];
+    entries[0] *= raise;
+    for (int k = kSize - 1; k > row; --k) {
+      if (Pattern::entry(k, row) < 0) continue;
+      const S* behind = &entries_[at(k, row)];  // goes on to the root as this row does
+      const S l = behind[0] * entries_[at(k, k)];
+      for (std::size_t j = 0; j < length; ++j) entries[j] -= l * behind[j];
+    }
+    pivots.count(entries[0]);
+    entries[0] = S(1) / entries[0];
   }
-  [[gnu::always_inline]] void invert_pivot(const Entries& U, int row, Pivots& pivots) noexcept {
-    const S d = U[at(Pattern::entry(row, row))];
-    pivots.least = d < pivots.least ? d : pivots.least;
-    pivots.sum += d;
-    inverse_D_[static_cast<std::size_t>(row)] = S(1) / d;
+  void pass_up(S* x, int row) const noexcept {
+    const S* entries = &entries_[at(row, row)];
+    x[row] *= *entries;
+    for (int i = Pattern::parent(row); i >= 0; i = Pattern::parent(i)) x[i] -= *++entries * x[row];
   }
-  [[gnu::always_inline]] void scale(const Entries& U, int row, std::size_t n) noexcept {
-    L_[n] = U[n] * inverse_D_[static_cast<std::size_t>(row)];
-  }
-  [[gnu::always_inline]] void pass_up(S* x, std::size_t n) const noexcept {
-    const auto& [entry, row, column] = Pattern::kLinks[n];
-    x[at(column)] -= L_[at(entry)] * x[at(row)];
-  }
-  [[gnu::always_inline]] void pass_down(S* x, std::size_t n) const noexcept {
-    const auto& [entry, row, column] = Pattern::kLinks[n];
-    x[at(row)] -= L_[at(entry)] * x[at(column)];
+  void pass_down(S* x, int row) const noexcept {
+    const S* entries = &entries_[at(row, row)];
+    const S inverse_d = *entries;
+    S sum{};
+    for (int i = Pattern::parent(row); i >= 0; i = Pattern::parent(i)) sum += *++entries * x[i];
+    x[row] -= inverse_d * sum;
   }
 
-  template <std::size_t... n>
-  [[gnu::always_inline]] static void load(const Entries& from, Entries& to, std::index_sequence<n...>) noexcept {
-    ((to[n] = from[n]), ...);  // one by one, so that they can stay in registers
+  // The same, forced into its caller, where row and column are constants and a row stays in registers.
+  template <int... k>
+  [[gnu::always_inline]] void eliminate_straight(const TreeMatrix<Tree, S>& H, S raise, Pivots& pivots,
+                                                 std::integer_sequence<int, k...>) noexcept {
+    (eliminate<kSize - 1 - k>(H, raise, pivots, Columns<kSize - 1 - k>{}), ...);
+  }
+  template <int kRow, std::size_t... j>
+  [[gnu::always_inline]] void eliminate(const TreeMatrix<Tree, S>& H, S raise, Pivots& pivots,
+                                        std::index_sequence<j...>) noexcept {
+    constexpr std::size_t kFirst = at(kRow, kRow);
+    std::array<S, sizeof...(j) + 1> row{H.entries[kFirst] * raise, H.entries[kFirst + 1 + j]...};
+    subtract_all<kRow>(row, std::make_integer_sequence<int, kSize - 1 - kRow>{});
+    pivots.count(row[0]);
+    entries_[kFirst] = S(1) / row[0];
+    ((entries_[kFirst + 1 + j] = row[j + 1]), ...);
+  }
+  template <int kRow, std::size_t kLength, int... k>
+  [[gnu::always_inline]] void subtract_all(std::array<S, kLength>& row, std::integer_sequence<int, k...>) noexcept {
+    (subtract<kRow, kSize - 1 - k>(row, std::make_index_sequence<kLength>{}), ...);
+  }
+  template <int kRow, int k, std::size_t... j>
+  [[gnu::always_inline]] void subtract(std::array<S, sizeof...(j)>& row, std::index_sequence<j...>) noexcept {
+    if constexpr (Pattern::entry(k, kRow) >= 0) {
+      const S l = entries_[at(k, kRow)] * entries_[at(k, k)];
+      ((row[j] -= l * entries_[at(k, kRow) + j]), ...);
+    }
   }
   template <int... k>
-  [[gnu::always_inline]] void eliminate_straight(Entries& U, Pivots& pivots,
-                                                 std::integer_sequence<int, k...>) noexcept {
-    constexpr int kLast = kSize - 1;
-    (eliminate_row<kLast - k>(U, pivots, std::make_index_sequence<Pattern::num_updates(kLast - k)>{},
-                              std::make_index_sequence<Pattern::length(kLast - k) - 1>{}),
-     ...);
+  [[gnu::always_inline]] void solve_straight(const S* b, S* x, std::integer_sequence<int, k...>) const noexcept {
+    std::array<S, static_cast<std::size_t>(kSize)> y{b[k]...};
+    (pass_up<kSize - 1 - k>(y.data(), Columns<kSize - 1 - k>{}), ...);
+    (pass_down<k>(y.data(), Columns<k>{}), ...);
+    ((x[k] = y[k]), ...);
   }
-  template <int kRow, std::size_t... n, std::size_t... i>
-  [[gnu::always_inline]] void eliminate_row(Entries& U, Pivots& pivots, std::index_sequence<n...>,
-                                            std::index_sequence<i...>) noexcept {
-    (update(U, Pattern::first_update(kRow) + n), ...);
-    invert_pivot(U, kRow, pivots);
-    (scale(U, kRow, at(Pattern::entry(kRow, kRow)) + 1 + i), ...);
+  template <int kRow, std::size_t... j>
+  [[gnu::always_inline]] void pass_up(S* x, std::index_sequence<j...>) const noexcept {
+    const S y = x[kRow] * entries_[at(kRow, kRow)];
+    ((x[kAbove<kRow>[j]] -= entries_[at(kRow, kRow) + 1 + j] * y), ...);
+    x[kRow] = y;
   }
-  template <std::size_t... n, std::size_t... i>
-  [[gnu::always_inline]] void solve_straight(S* x, std::index_sequence<n...>,
-                                             std::index_sequence<i...>) const noexcept {
-    (pass_up(x, kLinks - 1 - n), ...);
-    ((x[i] *= inverse_D_[i]), ...);
-    (pass_down(x, n), ...);
+  template <int kRow, std::size_t... j>
+  [[gnu::always_inline]] void pass_down(S* x, std::index_sequence<j...>) const noexcept {
+    if constexpr (sizeof...(j) > 0) {
+      x[kRow] -= entries_[at(kRow, kRow)] * (... + (entries_[at(kRow, kRow) + 1 + j] * x[kAbove<kRow>[j]]));
+    }
   }
 
-  Entries L_;
-  std::array<S, static_cast<std::size_t>(kSize)> inverse_D_;
+  std::array<S, static_cast<std::size_t>(Pattern::kEntries)> entries_;
 };
 
 /// H^-1, symmetric to the bit. Errors  ill_conditioned; `inverse` is then unchanged.
@@ -261,7 +233,7 @@ Status invert(const TreeMatrix<Tree, S>& H,
   for (int j = 0; j < kSize; ++j) {
     std::array<S, static_cast<std::size_t>(kSize)> x{};
     x[static_cast<std::size_t>(j)] = S(1);
-    factor.solve(x.data());
+    factor.solve(x.data(), x.data());
     for (int i = j; i < kSize; ++i) inverse(i, j) = inverse(j, i) = x[static_cast<std::size_t>(i)];
   }
   return Status::ok;

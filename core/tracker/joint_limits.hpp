@@ -12,11 +12,10 @@ namespace articam::tracker {
 /// The Gauss-Newton step, its diagonal raised by the damping (Levenberg, Marquardt): (5) with lambda = 1 and the
 /// pseudo-inverse weighted. Errors  ill_conditioned; `step` is then unchanged.
 template <class M, class S>
-Status damped_step(const Normal<M, S>& normal, S damping, Vec<S, model::kDof<M>>& step) noexcept {
+[[gnu::noinline]] Status damped_step(const Normal<M, S>& normal, S damping, Vec<S, model::kDof<M>>& step) noexcept {
   math::TreeFactor<math::Chain<model::kDof<M>>, S> factor;
   if (const Status status = factor.factorise(normal.H, damping); status != Status::ok) return status;
-  for (std::size_t i = 0; i < normal.b.size(); ++i) step[static_cast<Eigen::Index>(i)] = normal.b[i];
-  factor.solve(step.data());
+  factor.solve(normal.b.data(), step.data());
   return Status::ok;
 }
 

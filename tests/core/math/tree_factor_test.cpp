@@ -62,7 +62,7 @@ TYPED_TEST(TreeFactor, SolvesAsADenseMatrixDoes) {
       math::TreeFactor<TypeParam, double> factor;
       ASSERT_EQ(factor.factorise(H, damping), Status::ok);
       Vec<double, kSize> x = b;
-      factor.solve(x.data());
+      factor.solve(x.data(), x.data());
       // Both are stable: what is left over is rounding of H x.
       EXPECT_LT((damped * x - b).norm(), 1e-13 * damped.norm() * x.norm());
     }
