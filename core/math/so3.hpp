@@ -20,23 +20,32 @@ Mat<S, 3, 3> hat(const Vec<S, 3>& v) noexcept {
   return m;
 }
 
+/// sin(r) / 2r and cos r of half an angle r, r^2 given.
+template <class S>
+struct HalfTurn {
+  S scale, w;
+};
+/// Of its own, so that the small turns of a solver's steps can be forced into their caller.
+template <class S>
+[[gnu::noinline]] HalfTurn<S> large_half_turn(S r2) noexcept {
+  const S r = std::sqrt(r2);
+  const auto half = sin_cos(r);
+  return {S(0.5) * half.sin / r, half.cos};
+}
+
 /// Rotation vector (rad) -> unit quaternion.
 template <class S>
-Quat<S> exp_so3(const Vec<S, 3>& phi) noexcept {
+[[gnu::always_inline]] inline Quat<S> exp_so3(const Vec<S, 3>& phi) noexcept {
   using T = detail::Trigonometry<S>;
-  const S angle2 = phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2];
-  const S r2 = S(0.25) * angle2;  // of half the angle
-  S scale, w;                     // quaternion (w, scale * phi)
-  if (r2 <= S(0.6)) {             // below pi / 4: sin(r) / r and cos(r) without a root
-    scale = S(0.5) + S(0.5) * (r2 * detail::polynomial(T::kSin, r2));
-    w = (S(1) - S(0.5) * r2) + r2 * r2 * detail::polynomial(T::kCos, r2);
+  const S r2 = S(0.25) * (phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2]);
+  HalfTurn<S> half;
+  if (r2 <= S(0.6)) {  // below pi / 4: sin(r) / r and cos(r) without a root
+    half.scale = S(0.5) + S(0.5) * (r2 * detail::polynomial(T::kSin, r2));
+    half.w = (S(1) - S(0.5) * r2) + r2 * r2 * detail::polynomial(T::kCos, r2);
   } else {
-    const S angle = std::sqrt(angle2);
-    const auto half = sin_cos(S(0.5) * angle);
-    scale = half.sin / angle;
-    w = half.cos;
+    half = large_half_turn(r2);
   }
-  return Quat<S>(w, scale * phi[0], scale * phi[1], scale * phi[2]);
+  return Quat<S>(half.w, half.scale * phi[0], half.scale * phi[1], half.scale * phi[2]);
 }
 
 /// Unit quaternion -> the shortest rotation vector (rad), |phi| <= pi.

@@ -14,7 +14,10 @@ template <class S>
 struct Triple {
   S x, y, z;
 
-  constexpr Triple& operator+=(const Triple& b) noexcept { return *this = *this + b; }
+  constexpr Triple& operator+=(const Triple& b) noexcept {
+    x += b.x, y += b.y, z += b.z;
+    return *this;
+  }
   friend constexpr Triple operator+(const Triple& a, const Triple& b) noexcept {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
@@ -58,10 +61,11 @@ inline constexpr Axes<S> kSameAxes{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0)
 /// The rotation of a unit quaternion.
 template <class S>
 constexpr Axes<S> axes_of(S w, S x, S y, S z) noexcept {
-  const S xx = x * x, yy = y * y, zz = z * z, xy = x * y, xz = x * z, yz = y * z, wx = w * x, wy = w * y, wz = w * z;
-  return {{S(1) - S(2) * (yy + zz), S(2) * (xy + wz), S(2) * (xz - wy)},
-          {S(2) * (xy - wz), S(1) - S(2) * (xx + zz), S(2) * (yz + wx)},
-          {S(2) * (xz + wy), S(2) * (yz - wx), S(1) - S(2) * (xx + yy)}};
+  const S x2 = x + x, y2 = y + y, z2 = z + z;
+  const S xx = x * x2, yy = y * y2, zz = z * z2, xy = x * y2, xz = x * z2, yz = y * z2;
+  const S wx = w * x2, wy = w * y2, wz = w * z2;
+  return {
+      {S(1) - (yy + zz), xy + wz, xz - wy}, {xy - wz, S(1) - (xx + zz), yz + wx}, {xz + wy, yz - wx, S(1) - (xx + yy)}};
 }
 
 namespace detail {

@@ -20,14 +20,15 @@ struct Configuration {
 /// t += dt,  R = exp(dr) R,  joints += dj. Joint limits are not applied.
 template <class M, class S>
 Configuration<M, S> integrate(const Configuration<M, S>& q, const Vec<S, kDof<M>>& step) noexcept {
-  Configuration<M, S> moved;
-  for (Eigen::Index i = 0; i < 3; ++i) moved.T_cam_obj.t[i] = q.T_cam_obj.t[i] + step[i];
+  const Vec<S, 3>& t = q.T_cam_obj.t;
   // One step of Newton's towards 1 / |R| keeps the product a unit quaternion over any number of steps.
   const Quat<S> R = math::exp_so3<S>({step[3], step[4], step[5]}) * q.T_cam_obj.R;
   const S scale = S(1.5) - S(0.5) * (R.w() * R.w() + R.x() * R.x() + R.y() * R.y() + R.z() * R.z());
-  moved.T_cam_obj.R = {scale * R.w(), scale * R.x(), scale * R.y(), scale * R.z()};
-  for (Eigen::Index j = 0; j < kNumJoints<M>; ++j) moved.joints[j] = q.joints[j] + step[6 + j];
-  return moved;
+  Vec<S, kNumJoints<M>> joints;
+  for (Eigen::Index j = 0; j < kNumJoints<M>; ++j) joints[j] = q.joints[j] + step[6 + j];
+  return {
+      {{scale * R.w(), scale * R.x(), scale * R.y(), scale * R.z()}, {t[0] + step[0], t[1] + step[1], t[2] + step[2]}},
+      joints};
 }
 
 /// The step that leads from one configuration to another: integrate(from, step) == to.
