@@ -36,8 +36,6 @@ template <class S>
   return is_root ? along(body.axes, p) : along(body.origin, body.axes, p);
 }
 
-namespace detail {
-
 /// A rotation of the table. Its numbers are rounded at 15 decimals: what is nearer to 0 or +-1 than that, is that.
 constexpr math::Axes<double> constant_axes(const std::array<double, 4>& wxyz) noexcept {
   math::Axes<double> R = math::axes_of(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
@@ -50,6 +48,8 @@ constexpr math::Axes<double> constant_axes(const std::array<double, 4>& wxyz) no
   }
   return R;
 }
+
+namespace detail {
 
 /// Where the joint of a row stands.
 template <class M, class S>

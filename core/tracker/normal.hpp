@@ -65,8 +65,9 @@ void add_prior(const Prior<M, S>& prior, const model::Configuration<M, S>& q, No
   normal.cost += S(0.5) * cost;
 
   const auto add = [&](const typename Prior<M, S>::Square& information) {
+    S* entry = normal.H.entries.data();  // row by row, from the diagonal to the first column
     for (int i = 0; i < model::kDof<M>; ++i) {
-      for (int j = 0; j <= i; ++j) normal.H.at(i, j) += information(i, j);
+      for (int j = i; j >= 0; --j) *entry++ += information(i, j);
       normal.b[static_cast<std::size_t>(i)] += pull[i];
     }
   };

@@ -10,11 +10,12 @@
 /// and what arrives at the root is the base's. The dense A is never built: a mark costs the same whatever the number of
 /// joints, and a joint the same whatever the number of marks.
 ///
-/// Work    multiplications and additions, each 1: about 165 a mark, 45 a sliding joint, 120 a turning one and 11 for
+/// Work    multiplications and additions, each 1: about 155 a mark, 45 a sliding joint, 120 a turning one and 11 for
 ///         each joint above it.
 /// Source  Featherstone, "Rigid body dynamics algorithms", 2008, section 6.2: the composite-rigid-body algorithm, with
 ///         information in the place of inertia.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "core/model/joint_paths.hpp"
 #include "core/tracker/associate.hpp"
 #include "core/tracker/body_information.hpp"
+#include "core/tracker/mark_order.hpp"
 #include "core/tracker/normal.hpp"
 #include "core/tracker/shape_information.hpp"
 
@@ -37,13 +39,17 @@ class Linearisation {
   [[gnu::always_inline]] Status add_matches(const Matches<M, S>& matches, const model::Configuration<M, S>& q,
                                             FeatureKind kind) noexcept {
     const Quat<S>& R = q.T_cam_obj.R;
-    normal_.H.entries = {}, normal_.b = {}, normal_.scale = {};  // joints that share no mark leave entries at 0
+    if constexpr (!Order::kIsChain) normal_.H.entries = {}, normal_.b = {};
+    normal_.scale = {};
+    S shape_variances{0};
+    for (const Match<S>& match : matches) shape_variances += match.shape_variance;
+    has_shapes_ = kind != FeatureKind::point && shape_variances > S(0);
     model::BodyPlaces<M, S> places;
     model::place_bodies<M, S>(math::axes_of(R.w(), R.x(), R.y(), R.z()), q.joints, places);
-    const math::Triple<S> t_cam_obj = math::to_triple(q.T_cam_obj.t);
-    const Frame frame{matches, places, t_cam_obj, kind};
+    const Frame frame{matches, places, q.T_cam_obj.t, kind};
+    place_marks(frame, std::make_index_sequence<M::kMarkers.size()>{});
     if (!add_bodies(frame, std::make_index_sequence<kNumBodies + 1>{})) return Status::behind_camera;
-    put_base(sums_[kSlot[0]]);
+    put_base(sums_[Order::kSlot[0]]);
     normal_.cost = misfit_.cost() + shape_misfit_.cost();
     normal_.chi2 = misfit_.chi2;
     normal_.shape_chi2 = shape_misfit_.chi2;
@@ -54,51 +60,24 @@ class Linearisation {
 
  private:
   static constexpr std::size_t kNumBodies = M::kJoints.size();
-  static constexpr bool kHasMimics = model::kNumBodies<M> != model::kNumJoints<M>;
+  using Order = MarkOrder<M>;
   struct Frame {
     const Matches<M, S>& matches;
     const model::BodyPlaces<M, S>& places;
-    const math::Triple<S>& t_cam_obj;
+    const Vec<S, 3>& t_cam_obj;
     FeatureKind kind;
   };
 
-  /// kSlot[body + 1]: which sum collects the body's marks. A body goes on with the sum of its last child, which is
-  /// done with when the body's turn comes; so a chain needs one sum.
-  static constexpr auto kSlot = [] {
-    std::array<std::size_t, kNumBodies + 1> slot{};
-    std::array<bool, kNumBodies + 1> begun{};
-    std::size_t next = 0;
-    for (std::size_t b = kNumBodies + 1; b-- > 0;) {
-      if (!begun[b]) slot[b] = next++;
-      if (b == 0) break;
-      const auto parent = static_cast<std::size_t>(M::kJoints[b - 1].parent + 1);
-      if (!begun[parent]) slot[parent] = slot[b], begun[parent] = true;
-    }
-    return slot;
-  }();
-  static constexpr std::size_t kNumSlots = [] {
-    std::size_t most = 0;
-    for (const std::size_t slot : kSlot) most = slot > most ? slot : most;
-    return most + 1;
-  }();
-
-  /// Whether two markers are alike but for their places.
-  static constexpr bool together(const model::MarkerRow& a, const model::MarkerRow& b) noexcept {
-    return a.body == b.body && a.normal == b.normal && a.outer_diameter_m == b.outer_diameter_m;
+  /// All of them before the first is added: the bodies' axes need not be kept through that.
+  template <std::size_t... n>
+  [[gnu::always_inline]] void place_marks(const Frame& frame, std::index_sequence<n...>) noexcept {
+    (place_mark<n, Order::kSorted[n]>(frame), ...);
   }
-  /// kIsFirst[m]: no marker before m is like it.
-  static constexpr auto kIsFirst = [] {
-    std::array<bool, M::kMarkers.size()> first{};
-    for (std::size_t m = 0; m < first.size(); ++m) {
-      first[m] = true;
-      for (std::size_t other = 0; other < m; ++other) first[m] &= !together(M::kMarkers[m], M::kMarkers[other]);
-    }
-    return first;
-  }();
-  static constexpr std::size_t count_with(std::size_t m) noexcept {
-    std::size_t n = 0;
-    for (const model::MarkerRow& row : M::kMarkers) n += together(row, M::kMarkers[m]) ? 1 : 0;
-    return n;
+  template <std::size_t n, std::size_t kMarker>
+  [[gnu::always_inline]] void place_mark(const Frame& frame) noexcept {
+    constexpr const model::MarkerRow& row = M::kMarkers[kMarker];
+    marks_[n].arm = place_point(frame.places[row.body + 1], row.body < 0, row.t_body_m);
+    marks_[n].match = &frame.matches[kMarker];
   }
   /// From the last body to the root.
   template <std::size_t... n>
@@ -107,74 +86,58 @@ class Linearisation {
   }
   template <int kBody>
   [[gnu::always_inline]] bool add_body(const Frame& frame) noexcept {
-    const bool in_front = add_markers<kBody>(frame, std::make_index_sequence<M::kMarkers.size()>{});
+    const bool in_front = add_markers<kBody>(frame, std::make_index_sequence<Order::kNumGroups>{});
     if constexpr (kBody >= 0) add_joint<kBody>(frame, std::make_index_sequence<kNumBodies>{});
     return in_front;
   }
 
-  template <int kBody, std::size_t... kMarker>
-  [[gnu::always_inline]] bool add_markers(const Frame& frame, std::index_sequence<kMarker...> all) noexcept {
-    return (add_like<kBody, kMarker>(frame, all) && ...);
+  template <int kBody, std::size_t... kGroup>
+  [[gnu::always_inline]] bool add_markers(const Frame& frame, std::index_sequence<kGroup...>) noexcept {
+    return (add_group<kBody, kGroup>(frame) && ...);
   }
-  /// The markers like kFirst, which have normal and radius in common.
-  template <int kBody, std::size_t kFirst, std::size_t... kMarker>
-  [[gnu::always_inline]] bool add_like(const Frame& frame, std::index_sequence<kMarker...>) noexcept {
-    if constexpr (constexpr const model::MarkerRow& row = M::kMarkers[kFirst]; row.body == kBody && kIsFirst[kFirst]) {
-      std::array<PlacedMark<S>, count_with(kFirst)> marks;
-      PlacedMark<S>* next = marks.data();
-      ((next = place<kFirst, kMarker>(frame, next)), ...);
-      const S radius =
-          frame.kind == FeatureKind::point ? S(0) : static_cast<S>(0.5 * row.outer_diameter_m) * (S(1) + u_);
-      const math::Triple<S> normal = along(frame.places[kBody + 1].axes, row.normal);
-      BodyInformation<S>& sum = sums_[kSlot[kBody + 1]];
-      if (add_centres(marks.data(), marks.size(), normal, radius, frame.t_cam_obj, sum, misfit_) != Status::ok)
-        return false;
-      return radius > S(0) ? add_shapes(marks.data(), marks.size(), normal, radius, frame.t_cam_obj, sum) : true;
-    }
-    return true;
+  template <int kBody, std::size_t kGroup>
+  [[gnu::always_inline]] bool add_group(const Frame& frame) noexcept {
+    constexpr const typename Order::Group& group = Order::kGroups[kGroup];
+    if constexpr (group.body != kBody) return true;
+    if constexpr (group.turns) turn_plate<kGroup>(frame);
+    const PlacedMark<S>* marks = &marks_[group.begin];
+    BodyInformation<S>& sum = sums_[Order::kSlot[kBody + 1]];
+    const auto& t = frame.t_cam_obj;
+    return Status::ok == (has_shapes_
+                              ? add_whole_marks(marks, group.size, plate_, t, sum, misfit_, shape_misfit_, scale_)
+                              : add_centres(marks, group.size, plate_, t, sum, misfit_));
   }
-  bool add_shapes(const PlacedMark<S>* marks, std::size_t num_marks, const math::Triple<S>& normal, S radius,
-                  const math::Triple<S>& t, BodyInformation<S>& sum) noexcept {
-    for (const PlacedMark<S>* mark = marks; mark != marks + num_marks; ++mark) {
-      if (!mark->match->matched || !(mark->match->shape_variance > S(0))) continue;
-      const vision::Circle<S> circle{to_vec(t + mark->arm), to_vec(normal), radius};
-      // Edge on it has no shape, and says nothing.
-      const Status status = add_shape(circle, mark->arm, *mark->match, sum, shape_misfit_, scale_);
-      if (status != Status::ok && status != Status::ill_conditioned) return false;
-    }
-    return true;
+  template <std::size_t kGroup>
+  [[gnu::always_inline]] void turn_plate(const Frame& frame) noexcept {
+    constexpr const typename Order::Facing& facing = Order::kGroups[kGroup].facing;
+    const S radius = frame.kind == FeatureKind::point ? S(0) : static_cast<S>(0.5 * facing.diameter_m) * (S(1) + u_);
+    plate_ = {along(frame.places[facing.body + 1].axes, facing.normal), radius};
   }
-  template <std::size_t kFirst, std::size_t kMarker>
-  [[gnu::always_inline]] PlacedMark<S>* place(const Frame& frame, PlacedMark<S>* next) noexcept {
-    constexpr const model::MarkerRow& row = M::kMarkers[kMarker];
-    if constexpr (!together(row, M::kMarkers[kFirst])) return next;
-    next->arm = place_point(frame.places[row.body + 1], row.body < 0, row.t_body_m);
-    next->match = &frame.matches[kMarker];
-    return next + 1;
-  }
-
   template <int kBody, std::size_t... kOther>
   [[gnu::always_inline]] void add_joint(const Frame& frame, std::index_sequence<kOther...>) noexcept {
     constexpr const model::JointRow& row = M::kJoints[kBody];
     constexpr int kUnknown = 6 + model::kValueOfRow<M>[kBody];
     constexpr S kRatio = static_cast<S>(row.ratio);
-    const BodyInformation<S>& sum = sums_[kSlot[kBody + 1]];
+    const BodyInformation<S>& sum = sums_[Order::kSlot[kBody + 1]];
     const auto& [linear, angular] = frame.places[kBody + 1].motion;
     Wrench<S> common;
-    S gradient = dot(sum.pull.force, linear), with_scale = dot(sum.scale.force, linear);
+    S gradient = dot(sum.pull.force, linear);
     if constexpr (row.kind == model::JointKind::prismatic) {
       common = of_slide(sum, linear);
     } else {
       common = of_turn(sum, linear, angular);
       gradient += dot(sum.pull.torque, angular);
-      with_scale += dot(sum.scale.torque, angular);
     }
     if constexpr (row.ratio != 1) {
       common = {kRatio * common.force, kRatio * common.torque};
-      gradient *= kRatio, with_scale *= kRatio;
+      gradient *= kRatio;
     }
     put(normal_.b[kUnknown], gradient);
-    put(normal_.scale.with[kUnknown], with_scale);
+    if (has_shapes_) {
+      S with_scale = dot(sum.scale.force, linear);
+      if constexpr (row.kind != model::JointKind::prismatic) with_scale += dot(sum.scale.torque, angular);
+      normal_.scale.with[kUnknown] += kRatio * with_scale;
+    }
     put(normal_.H.at(kUnknown, 0), common.force.x);
     put(normal_.H.at(kUnknown, 1), common.force.y);
     put(normal_.H.at(kUnknown, 2), common.force.z);
@@ -182,8 +145,8 @@ class Linearisation {
     put(normal_.H.at(kUnknown, 4), common.torque.y);
     put(normal_.H.at(kUnknown, 5), common.torque.z);
     (add_common<kBody, static_cast<int>(kOther)>(common, frame.places[kOther + 1].motion), ...);
-    if constexpr (constexpr int parent = row.parent; kSlot[kBody + 1] != kSlot[parent + 1])
-      sums_[kSlot[parent + 1]] += sum;
+    if constexpr (constexpr int parent = row.parent; Order::kSlot[kBody + 1] != Order::kSlot[parent + 1])
+      sums_[Order::kSlot[parent + 1]] += sum;
   }
 
   /// What a joint has in common with one on its way to the root, itself included.
@@ -203,7 +166,7 @@ class Linearisation {
 
   /// Only where a joint mimics another does an entry have several parts.
   [[gnu::always_inline]] static void put(S& entry, S part) noexcept {
-    if constexpr (kHasMimics) {
+    if constexpr (Order::kHasMimics) {
       entry += part;
     } else {
       entry = part;
@@ -211,18 +174,11 @@ class Linearisation {
   }
 
   void put_base(const BodyInformation<S>& sum) noexcept {
-    auto& H = normal_.H;
-    const auto& [x, y, z] = sum.vw;
-    H.at(0, 0) = sum.vv.xx;
-    H.at(1, 0) = sum.vv.xy, H.at(1, 1) = sum.vv.yy;
-    H.at(2, 0) = sum.vv.xz, H.at(2, 1) = sum.vv.yz, H.at(2, 2) = sum.vv.zz;
-    H.at(3, 0) = x.x, H.at(3, 1) = y.x, H.at(3, 2) = z.x, H.at(3, 3) = sum.ww.xx;
-    H.at(4, 0) = x.y, H.at(4, 1) = y.y, H.at(4, 2) = z.y, H.at(4, 3) = sum.ww.xy, H.at(4, 4) = sum.ww.yy;
-    H.at(5, 0) = x.z, H.at(5, 1) = y.z, H.at(5, 2) = z.z;
-    H.at(5, 3) = sum.ww.xz, H.at(5, 4) = sum.ww.yz, H.at(5, 5) = sum.ww.zz;
+    std::copy(sum.H.entries.begin(), sum.H.entries.end(), normal_.H.entries.begin());  // the first six rows
     const auto& [force, torque] = sum.pull;
     normal_.b[0] = force.x, normal_.b[1] = force.y, normal_.b[2] = force.z;
     normal_.b[3] = torque.x, normal_.b[4] = torque.y, normal_.b[5] = torque.z;
+    if (!has_shapes_) return;
     const auto& [with_v, with_w] = sum.scale;
     auto& with = normal_.scale.with;
     with[0] = with_v.x, with[1] = with_v.y, with[2] = with_v.z;
@@ -234,21 +190,25 @@ class Linearisation {
     constexpr S kCertainty = S(1) / (kPrintScale<S> * kPrintScale<S>);
     const S per_u = S(1) / (S(1) + u_);  // of the logarithm, for which add_shape() has the derivative
     auto& [variance, pull, with] = normal_.scale;
-    variance = S(1) / (scale_.information * per_u * per_u + kCertainty);
-    pull = scale_.pull * per_u - kCertainty * u_;
-    for (S& share : with) share *= per_u;
-    for (int i = 0; i < model::kDof<M>; ++i) {
-      const S share = variance * with[static_cast<std::size_t>(i)];
-      normal_.b[static_cast<std::size_t>(i)] -= share * pull;
-      for (int j = 0; j <= i; ++j) normal_.H.at(i, j) -= share * with[static_cast<std::size_t>(j)];
+    const S v = variance = S(1) / (scale_.information * per_u * per_u + kCertainty);
+    const S p = pull = scale_.pull * per_u - kCertainty * u_;
+    S* entry = normal_.H.entries.data();  // row by row, from the diagonal to the first column
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      with[i] *= per_u;
+      const S share = v * with[i];
+      normal_.b[i] -= share * p;
+      for (std::size_t j = i + 1; j-- > 0;) *entry++ -= share * with[j];
     }
     normal_.cost += S(0.5) * kCertainty * u_ * u_;
   }
 
-  std::array<BodyInformation<S>, kNumSlots> sums_{};
+  std::array<BodyInformation<S>, Order::kNumSlots> sums_{};
   Misfit<S> misfit_{}, shape_misfit_{};
   ScaleInformation<S> scale_{};
+  std::array<PlacedMark<S>, Order::kNumMarkers> marks_;  ///< as Order::kSorted
+  vision::Plate<S> plate_;                               ///< of the marks being added
   S u_;
+  bool has_shapes_{};
   Normal<M, S>& normal_;
 };
 

@@ -9,7 +9,7 @@
 /// marks of one frame do not confirm.
 
 #include "core/tracker/body_information.hpp"
-#include "core/vision/imaged_ellipse.hpp"
+#include "core/vision/moving_shape.hpp"
 
 namespace articam::tracker {
 
@@ -24,40 +24,76 @@ struct ScaleInformation {
   S information{}, pull{};
 };
 
-/// Adds (m00, m10, m11) of one imaged circle. With D_c, D_n its derivatives by centre and normal (the rows of the
-/// camera's interaction matrix are  L_v = -D_c,  L_w = -(c x D_c + n x D_n)):
-///
-///     dM = D_c (v + omega x arm) + D_n (omega x n) + g u,    g = -D_c c
-///
-/// as a scene and its scaled image look alike. The same holds of the imaged centre, which lies off the circle's by
-/// r^2: add_centres() has what it says of the body, and here is what it says of u. `arm` is the circle's centre from
-/// the turning point.  Errors  those of moving_ellipse(); nothing is then added.
+/// Adds what an imaged centre, which lies off the circle's by r^2, says of u:  g = -2 b alpha. `certainty`: its own,
+/// times its robust weight.
 template <class S>
-Status add_shape(const vision::Circle<S>& circle, const math::Triple<S>& arm, const Match<S>& match,
-                 BodyInformation<S>& body, Misfit<S>& misfit, ScaleInformation<S>& scale) noexcept {
+[[gnu::always_inline]] inline void add_scale_of(const MovingCentre<S>& centre, const vision::ConicCentre<S>& conic,
+                                                const Match<S>& match, S certainty, Wrench<S>& common,
+                                                ScaleInformation<S>& scale) noexcept {
+  const S twice_b = S(-2) * centre.b, g_x = twice_b * conic.alpha_x, g_y = twice_b * conic.alpha_y;
+  const S with_x = certainty * g_x, with_y = certainty * g_y;
+  scale.information += with_x * g_x + with_y * g_y;
+  scale.pull += with_x * (match.s_star[0] - centre.s_x) + with_y * (match.s_star[1] - centre.s_y);
+  const S b_x = with_x * centre.b, b_y = with_y * centre.b;
+  common.force += math::Triple<S>{b_x, b_y, b_x * centre.h_x + b_y * centre.h_y};
+  common.torque += b_x * centre.w_x + b_y * centre.w_y;
+}
+
+/// Adds (m00, m10, m11) of one imaged circle. With f the rows of v:
+///
+///     dM = f v + w omega + g u,    g = -f c
+///
+/// as a scene and its scaled image look alike.  n_t: n x t.
+template <class S>
+[[gnu::always_inline]] inline void add_shape(vision::MovingShape<S>& shape, const vision::Plate<S>& plate,
+                                             const math::Triple<S>& c, const math::Triple<S>& n_t,
+                                             const PlacedMark<S>& mark, BodyInformation<S>& body, Misfit<S>& misfit,
+                                             ScaleInformation<S>& scale) noexcept {
   using T = math::Triple<S>;
-  const auto image = vision::moving_ellipse(circle);
-  if (!image.ok()) return image.status();
-  const auto& [ellipse, L] = image.value();
-  const T c = math::to_triple(circle.centre), t = c - arm;
-  const std::array<S, 3> d{match.shape[0] - ellipse.M(0, 0), match.shape[1] - ellipse.M(1, 0),
-                           match.shape[2] - ellipse.M(1, 1)};
-  const Vec<S, 2> e = match.s_star - ellipse.centre;
-  const S weight = misfit.weigh(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], S(1) / match.shape_variance);
-  const S centre_weight = math::huber_weight(e.squaredNorm() / match.variance, kHuberDistance<S>) / match.variance;
-  for (int i = 0; i < 5; ++i) {
-    const T f{-L(i, 0), -L(i, 1), -L(i, 2)};
-    const T w = -T{L(i, 3), L(i, 4), L(i, 5)} - cross(t, f);
-    const bool of_centre = i < 2;
-    const S g = -dot(f, c), row_weight = of_centre ? centre_weight : weight;
-    const S pull = row_weight * (of_centre ? e[i] : d[static_cast<std::size_t>(i - 2)]);
-    if (!of_centre) {
-      body.add_row(f, w, row_weight);
-      body.pull += {pull * f, pull * w};
-    }
-    body.scale += {row_weight * g * f, row_weight * g * w};
-    scale.information += row_weight * g * g;
-    scale.pull += pull * g;
+  const Match<S>& match = *mark.match;
+  const T miss{match.shape[0] - shape.m00, match.shape[1] - shape.m10, match.shape[2] - shape.m11};
+  const S factor = std::sqrt(misfit.weigh(dot(miss, miss), S(1) / match.shape_variance));
+  shape.move(plate, c, mark.arm, n_t, factor);  // all rows times the root of their weight
+  const auto& [f_x, f_y, f_z] = shape.f;
+  const auto& [w_x, w_y, w_z] = shape.w;
+  const T d = factor * miss;
+  const T g{-(c.x * f_x.x + c.z * f_z.x), -(c.x * f_x.y + c.y * f_y.y + c.z * f_z.y),
+            -(c.x * f_x.z + c.y * f_y.z + c.z * f_z.z)};
+  scale.information += dot(g, g), scale.pull += dot(d, g);
+  S* entry = body.H.entries.data();
+  // A row of H from the diagonal to the first column.
+  const auto add = [&](S& pull, S& common, const auto& row, const auto&... columns) {
+    ((*entry++ += dot(row, columns)), ...);
+    pull += dot(d, row), common += dot(g, row);
+  };
+  auto& [force, torque] = body.pull;
+  auto& [common_force, common_torque] = body.scale;
+  add(force.x, common_force.x, f_x, f_x);
+  add(force.y, common_force.y, f_y, f_y, f_x);
+  add(force.z, common_force.z, f_z, f_z, f_y, f_x);
+  add(torque.x, common_torque.x, w_x, w_x, f_z, f_y, f_x);
+  add(torque.y, common_torque.y, w_y, w_y, w_x, f_z, f_y, f_x);
+  add(torque.z, common_torque.z, w_z, w_z, w_y, w_x, f_z, f_y, f_x);
+}
+
+/// add_centres() and, of the marks that have one, the shapes. Edge on there is none, and it says nothing.
+template <class S>
+Status add_whole_marks(const PlacedMark<S>* marks, std::size_t num_marks, const vision::Plate<S>& plate,
+                       const Vec<S, 3>& t, BodyInformation<S>& body, Misfit<S>& misfit, Misfit<S>& shape_misfit,
+                       ScaleInformation<S>& scale) noexcept {
+  const math::Triple<S> n_t = cross(plate.n, math::to_triple(t));
+  for (const PlacedMark<S>* mark = marks; mark != marks + num_marks; ++mark) {
+    const Match<S>& match = *mark->match;
+    if (!match.matched || !(match.variance > S(0))) continue;
+    const math::Triple<S> arm = mark->arm, c = math::to_triple(t) + arm;
+    if (!(c.z > plate.nearest)) return Status::behind_camera;
+    const MovingCentre<S> centre{plate, c, arm};
+    const S certainty = add_centre(centre, match, body, misfit);
+    if (!(match.shape_variance > S(0))) continue;
+    const vision::ConicCentre<S> conic{plate, c, centre.s_x, centre.s_y, centre.per_M_z};
+    add_scale_of(centre, conic, match, certainty, body.scale, scale);
+    vision::MovingShape<S> shape{plate, c, conic};
+    if (shape.exists()) add_shape(shape, plate, c, n_t, *mark, body, shape_misfit, scale);
   }
   return Status::ok;
 }

@@ -9,13 +9,7 @@
 
 namespace articam::vision {
 
-/// The circle's image on the metric plane, from the dual conic of imaged_circle.hpp. With  a = (c_x, c_y) / c_z,
-/// rho = r / c_z  and the normal's part across the ray  p = (n_x, n_y) - a n_z:
-///
-///     m = 1 - rho^2 (1 - n_z^2),    k = rho^2 / m,    d = a + p n_z
-///     centre = a + k d,             M M^T = k (I + a a^T - p p^T + k d d^T),    det M = k |f| / sqrt(m)
-///
-/// and f = n_x a_x + n_y a_y + n_z, the cosine to the ray times |(a, 1)|. Its centre is imaged_centre().
+/// The circle's image on the metric plane; moving_shape.hpp has the equations. Its centre is imaged_centre().
 /// Frames  {cam}.
 /// Errors  behind_camera as imaged_centre(); ill_conditioned where there is no ellipse: seen edge on, or of no size.
 template <class S>

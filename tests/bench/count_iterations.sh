@@ -23,8 +23,11 @@ generic=$(count generic)
 double=$(count double)
 full=$(count full_double)
 generic_chains=$(count generic_24x48)
+float=$(count float)
 hold "iteration, double:" "$double" "$generic" 45
-hold "iteration, float:" "$(count float)" "$generic" 45
+hold "iteration, float:" "$float" "$generic" 45
+hold "iteration, double:" "$double" 3000 100
+hold "iteration, float:" "$float" 3000 100
 hold "full iteration, double:" "$full" "$double" 300
 hold "full iteration, float:" "$(count full_float)" "$double" 300
 hold "48 markers:" "$(count 48)" "$double" 800

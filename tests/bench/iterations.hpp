@@ -16,12 +16,21 @@ namespace articam::bench {
 template <class M, class S>
 struct Frame {
   tracker::Matches<M, S> matches;
+  tracker::Matches<M, S> whole;  ///< with the shapes of the images, too
   model::Configuration<M, S> q;
   tracker::Prior<M, S> prior;
 
   explicit Frame(const model::Configuration<M, S>& truth) {
     test::Random random{1};
-    matches = test::observe<M, S>(truth, tracker::FeatureKind::imaged_circle, 0.3, &random);
+    matches = whole = test::observe<M, S>(truth, tracker::FeatureKind::imaged_circle, 0.3, &random);
+    const auto kinematics = model::forward_kinematics<M, S>(truth.joints);
+    for (std::size_t m = 0; m < whole.size(); ++m) {
+      const auto circle =
+          tracker::circle_in_camera(truth.T_cam_obj, kinematics.markers[m], M::kMarkers[m].outer_diameter_m);
+      const Mat<S, 2, 2> shape = vision::imaged_ellipse(circle).value().M;
+      whole[m].shape = {shape(0, 0), shape(1, 0), shape(1, 1)};
+      whole[m].shape_variance = whole[m].variance;
+    }
     q = model::integrate<M, S>(truth, random.vector<S, model::kDof<M>>(-0.02, 0.02));
     prior =
         tracker::independent_prior<M, S>(model::integrate<M, S>(truth, random.vector<S, model::kDof<M>>(-0.01, 0.01)),
@@ -38,10 +47,10 @@ template <class M, class S>
   return ok ? model::integrate<M, S>(frame.q, step) : frame.q;
 }
 
-/// What the tracker does: the prior, too.
+/// What the tracker does: the shapes of the images with the marks' common scale, and the prior, too.
 template <class M, class S>
 [[gnu::noinline]] model::Configuration<M, S> iteration_full(const Frame<M, S>& frame) {
-  const auto normal = tracker::linearise(frame.matches, frame.prior, frame.q);
+  const auto normal = tracker::linearise(frame.whole, frame.prior, frame.q);
   Vec<S, model::kDof<M>> step;
   const bool ok = normal.status == Status::ok && tracker::damped_step<M, S>(normal, S(0), step) == Status::ok;
   return ok ? model::integrate<M, S>(frame.q, step) : frame.q;

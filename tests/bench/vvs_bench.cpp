@@ -57,7 +57,7 @@ BENCHMARK(floor_growth)->Name("floor/vvs_generic/24x48");
 
 template <class S>
 void vvs_solve(benchmark::State& state) {
-  const auto& [matches, q, prior] = nominal<S>();
+  const auto& [matches, whole, q, prior] = nominal<S>();
   for (auto _ : state) benchmark::DoNotOptimize(tracker::solve(matches, prior, q, 20));
 }
 BENCHMARK(vvs_solve<double>)->Name("vvs/solve/PrinterDrawer/double");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 
 #include "core/tracker/vvs.hpp"
 #include "static_models/registry.hpp"
@@ -31,10 +33,11 @@ struct Dense {
       const Vec<double, 2> e = system.e.template segment<2>(2 * i);
       const Mat<double, 2, kDof> A = system.A.template middleRows<2>(2 * i);
       const double distance2 = e.squaredNorm() / match.variance;
-      const double weight = math::huber_weight(distance2, 3.0) / match.variance;
+      const double size = std::max(3.0, std::sqrt(distance2));  // 3: where least squares ends
+      const double weight = math::huber_weight(size, 3.0) / match.variance;
       H += weight * A.transpose() * A;
       b -= weight * A.transpose() * e;
-      cost += math::huber_loss(distance2, 3.0);
+      cost += 0.5 * (distance2 - math::huber_excess(size, 3.0));
       chi2 += distance2;
       error2 += e.squaredNorm();
     }
