@@ -1,6 +1,7 @@
 #pragma once
 /// @file  What the marks on a body say about how the body has to move.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -55,8 +56,18 @@ struct BodyInformation {
   /// The 3x3 block that begins there, times v.
   template <int kRow, int kColumn>
   [[gnu::always_inline]] math::Triple<S> block_times(const math::Triple<S>& v) const noexcept {
-    const auto row = [&](int i) { return H(i, kColumn) * v.x + H(i, kColumn + 1) * v.y + H(i, kColumn + 2) * v.z; };
-    return {row(kRow), row(kRow + 1), row(kRow + 2)};
+    return {row_times<kRow, kColumn>(v), row_times<kRow + 1, kColumn>(v), row_times<kRow + 2, kColumn>(v)};
+  }
+
+ private:
+  template <int kRow, int kColumn>
+  [[gnu::always_inline]] S row_times(const math::Triple<S>& v) const noexcept {
+    return entry<kRow, kColumn>() * v.x + entry<kRow, kColumn + 1>() * v.y + entry<kRow, kColumn + 2>() * v.z;
+  }
+  template <int kRow, int kColumn>
+  [[gnu::always_inline]] S entry() const noexcept {
+    constexpr int kIndex = math::TreePattern<math::Chain<6>>::entry(std::max(kRow, kColumn), std::min(kRow, kColumn));
+    return H.entries[kIndex];
   }
 };
 
