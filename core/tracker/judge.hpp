@@ -22,6 +22,7 @@ struct Evidence {
   bool ambiguous{};     ///< the mirror image explains the frames nearly as well
   bool beyond_limit{};  ///< the marks want a joint beyond its limit
   bool overloaded{};
+  Reason image{Reason::none};       ///< what is wrong with the image itself
   Reason unacquired{Reason::none};  ///< why a search without a prediction found nothing; none where it was not needed
 };
 
@@ -46,7 +47,8 @@ class Judge {
     const bool misfit = evidence.complete && evidence.converged && !evidence.agrees;
     misfits_ = misfit ? std::min(misfits_ + 1, kMisfitsToFault) : 0;
     presses_ = evidence.beyond_limit ? std::min(presses_ + 1, kMisfitsToFault) : 0;
-    const Verdict verdict = consider(evidence, t);
+    Verdict verdict = consider(evidence, t);
+    if (evidence.image != Reason::none && is_symptom(verdict)) verdict.reason = evidence.image;
     const bool good = verdict.status == TrackingStatus::tracking || verdict.status == TrackingStatus::degraded;
     // One mark in the clutter can be followed for ever; only what checks itself is a measurement.
     if (good && evidence.redundant) ever_measured_ = true, t_measured_ = t;
@@ -67,6 +69,22 @@ class Judge {
   /// All markers matched and yet not agreeing in so many frames in a row: the model or the camera file is another's.
   /// Or a joint pressed against its limit for as long: the model has another range.
   static constexpr int kMisfitsToFault = 30;
+
+  /// What a poor image may have caused. Two views that cannot be told apart at the start are not its doing.
+  static bool is_symptom(const Verdict& verdict) noexcept {
+    switch (verdict.reason) {
+      case Reason::none:
+      case Reason::few_markers:
+      case Reason::not_converged:
+      case Reason::weak_joint:
+        return true;
+      case Reason::ambiguous:
+      case Reason::large_residual:
+        return verdict.status == TrackingStatus::degraded;
+      default:
+        return false;
+    }
+  }
 
   Verdict consider(const Evidence& evidence, Timestamp t) const noexcept {
     using enum TrackingStatus;

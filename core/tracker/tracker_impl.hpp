@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/tracker/look.hpp"
+#include "core/tracker/poor_image.hpp"
 #include "core/tracker/rolling_shutter.hpp"
 #include "core/tracker/tracker.hpp"
 #include "core/tracker/tracker_paper.hpp"
@@ -183,6 +184,8 @@ void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
     (void)detector_.detect(image, detections_);  // the view was checked by fits()
     evidence_.overloaded = detector_.overloaded();
   }
+  const auto visible = std::ranges::count_if(features_, [](const auto& feature) { return feature.visible; });
+  evidence_.image = blame_image(image, detections_, following_ ? static_cast<int>(visible) : model::kNumMarkers<Model>);
 }
 
 template <class Model, class Scalar>

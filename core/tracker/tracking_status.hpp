@@ -33,6 +33,9 @@ enum class Reason : std::uint8_t {
   late_result,     ///< good, but out later than its age allows
   ambiguous,       ///< two configurations explain the frame, and no start decides
   joint_limit,     ///< a joint is held at its limit, and the marks want it farther
+  overexposed,     ///< the image is too bright: most marks are saturated, or some missing and a quarter of it white
+  underexposed,    ///< the image is too dark
+  blurred,         ///< the image is blurred
 };
 
 constexpr std::string_view name(TrackingStatus status) noexcept {
@@ -40,10 +43,10 @@ constexpr std::string_view name(TrackingStatus status) noexcept {
   return kNames[static_cast<std::size_t>(status)];
 }
 constexpr std::string_view name(Reason reason) noexcept {
-  constexpr std::string_view kNames[]{"none",           "no_start",    "no_frame",      "stale_frame",
-                                      "image_mismatch", "few_markers", "not_converged", "large_residual",
-                                      "outlier",        "weak_joint",  "overload",      "camera_stalled",
-                                      "camera_gone",    "late_result", "ambiguous",     "joint_limit"};
+  constexpr std::string_view kNames[]{
+      "none",           "no_start",    "no_frame",    "stale_frame",  "image_mismatch", "few_markers", "not_converged",
+      "large_residual", "outlier",     "weak_joint",  "overload",     "camera_stalled", "camera_gone", "late_result",
+      "ambiguous",      "joint_limit", "overexposed", "underexposed", "blurred"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

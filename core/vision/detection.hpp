@@ -25,8 +25,9 @@ struct Ellipse {
 /// What may be wrong with a mark's image. Bits of Detection::flaws.
 enum Flaw : std::uint8_t {
   kBlurred = 1,    ///< its edge is wider than kSharp_q8: out of focus, or moved while exposed
-  kSaturated = 2,  ///< its light or its dark is at the end of the grey levels: the edge may be moved
+  kSaturated = 2,  ///< its light is at the end of the grey levels: the edge may be moved
   kOccluded = 4,   ///< up to an eighth of its edge is not seen, and was left out
+  kClipped = 8,    ///< its dark is at the beginning of the grey levels: the edge may be moved
 };
 inline constexpr int kSharp_q8 = 3 * 256 / 2;  ///< standard deviation of an edge, px
 

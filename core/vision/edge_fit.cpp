@@ -82,7 +82,8 @@ bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge)
   const int weak = find_crossings(samples, pass.sign, profile, crosses);
   if (8 * weak > pass.rays) return false;  // the edge goes all round, but for an eighth
   fit.contrast_q4 = profile.contrast_q4;
-  fit.flaws = static_cast<std::uint8_t>((profile.saturated ? kSaturated : 0) | (weak > 0 ? kOccluded : 0));
+  fit.flaws = static_cast<std::uint8_t>((profile.saturated ? kSaturated : 0) | (profile.clipped ? kClipped : 0) |
+                                        (weak > 0 ? kOccluded : 0));
 
   const std::int64_t step_q16 = 2 * pass.half_window_q16 / (kSamples - 1);
   const auto radii = [step_q16](std::int64_t in_samples) { return in_samples * step_q16 >> kQ16; };

@@ -131,7 +131,8 @@ bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcep
   if (out.contrast_q4 < kMinContrast_q4 || sign * std::int64_t{sum.back() - sum.front()} * 2 < range) return false;
 
   constexpr std::int32_t kLeast_q4 = 2 * 16, kMost_q4 = 253 * 16;  // the mean of clipped noise is a little inside
-  out.saturated = *low < samples.rays * kLeast_q4 || *high > samples.rays * kMost_q4;
+  out.clipped = *low < samples.rays * kLeast_q4;
+  out.saturated = *high > samples.rays * kMost_q4;
 
   // The place is the centroid of the squared slope near the radius 1, where neighbouring edges reach least.
   std::int64_t weight = 0, first = 0;

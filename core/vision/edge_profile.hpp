@@ -41,7 +41,7 @@ struct EdgeProfile {
   std::int32_t contrast_q4;   ///< positive
   std::int64_t position_q16;  ///< of the edge, from the radius 1
   std::int64_t variance_q16;  ///< of the slope, the width of the edge squared
-  bool saturated;             ///< its light or its dark is at the end of the grey levels
+  bool saturated, clipped;    ///< its light, its dark is at the end of the grey levels
 };
 
 /// `sign` is 1 where it grows lighter outwards, -1 where darker. False where there is no such edge.

@@ -26,8 +26,8 @@ Examples
   articam-detect --type ring --ring-ratio 0.5 frame.pgm       rings whose hole is half as wide
 
 In a picture, each edge is outlined where it was measured, to a fraction of a pixel. Words beside a mark: blurred (its
-edge is wider than 1.5 px), saturated (its light or its dark is at the end of the grey levels), occluded (up to an
-eighth of its edge is hidden), and its diameter.
+edge is wider than 1.5 px), saturated (its light is at the end of the grey levels), clipped (its dark is), occluded
+(up to an eighth of its edge is hidden), and its diameter.
 Exit codes: 0 done, 1 a frame is refused or the job failed, 2 wrong usage.)";
 
 const char* name(vision::MarkKind kind) {

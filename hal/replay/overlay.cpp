@@ -135,8 +135,10 @@ Status write_png(cairo_surface_t* picture, const std::filesystem::path& path, st
 
 std::string names_of_flaws(unsigned flaws) {
   std::string names;
-  constexpr std::array<std::pair<unsigned, const char*>, 3> kNames{
-      {{vision::kBlurred, "blurred"}, {vision::kSaturated, "saturated"}, {vision::kOccluded, "occluded"}}};
+  constexpr std::array<std::pair<unsigned, const char*>, 4> kNames{{{vision::kBlurred, "blurred"},
+                                                                    {vision::kSaturated, "saturated"},
+                                                                    {vision::kClipped, "clipped"},
+                                                                    {vision::kOccluded, "occluded"}}};
   for (const auto& [flaw, name] : kNames) {
     if ((flaws & flaw) == 0) continue;
     if (!names.empty()) names += ' ';

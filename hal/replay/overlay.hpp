@@ -28,7 +28,7 @@ struct Overlay {
   std::string caption{};
 };
 
-/// "blurred saturated occluded", as far as they are set.
+/// "blurred saturated clipped occluded", as far as they are set.
 std::string names_of_flaws(unsigned flaws);
 
 /// Writes a PNG, whole or not at all; the frame is enlarged so that a pixel can be told from the next.

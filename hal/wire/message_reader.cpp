@@ -138,7 +138,7 @@ bool read_field(const Field& field, EstimateMessage& out) noexcept {
     case 6:  return read(field, out.t_capture);
     case 7:  return read(field, out.t_send);
     case 8:  return read_enum(field, tracker::TrackingStatus::fault, out.status);
-    case 9:  return read_enum(field, tracker::Reason::joint_limit, out.reason);
+    case 9:  return read_enum(field, tracker::Reason::blurred, out.reason);
     case 10: return read(field, out.valid);
     case 11: return append(field, out.t_cam_obj);
     case 12: return append(field, out.joints);

@@ -18,7 +18,7 @@ struct Decoder::Protobuf {
 namespace {
 
 static_assert(wire::Status_MAX == static_cast<int>(tracker::TrackingStatus::fault));
-static_assert(wire::Reason_MAX == static_cast<int>(tracker::Reason::joint_limit));
+static_assert(wire::Reason_MAX == static_cast<int>(tracker::Reason::blurred));
 static_assert(wire::Observability_MAX == static_cast<int>(tracker::Observability::observed));
 static_assert(wire::JointKind_MAX == static_cast<int>(model::JointKind::prismatic));
 

@@ -129,5 +129,23 @@ TEST(Judge, CallsClutterInPlaceOfAnAbsentObjectNoFault) {
   for (int i = 1; i < 100; ++i) EXPECT_NE(judge.decide(clutter, at(0.03 * i)).status, fault);
 }
 
+TEST(Judge, NamesTheImageAsTheCauseOfWhatItMayHaveCaused) {
+  Judge judge{{}};
+  Evidence evidence = kGood;
+  evidence.image = Reason::blurred;
+  EXPECT_EQ(judge.decide(evidence, at(0)).status, tracking);
+  EXPECT_EQ(judge.decide(evidence, at(0.1)).reason, Reason::blurred);
+  evidence.outlier = true;
+  EXPECT_EQ(judge.decide(evidence, at(0.2)).reason, Reason::outlier);
+  evidence.weak = true;
+  EXPECT_EQ(judge.decide(evidence, at(0.3)).status, degraded);
+  EXPECT_EQ(judge.decide(evidence, at(0.4)).reason, Reason::blurred);
+  const Evidence nothing{.image = Reason::underexposed};
+  EXPECT_EQ(judge.decide(nothing, at(0.5)).status, coasting);
+  EXPECT_EQ(judge.decide(nothing, at(2)).status, lost);
+  EXPECT_EQ(judge.decide(nothing, at(2.1)).reason, Reason::underexposed);
+  EXPECT_EQ(judge.decide({.overloaded = true, .image = Reason::blurred}, at(2.2)).reason, Reason::overload);
+}
+
 }  // namespace
 }  // namespace articam

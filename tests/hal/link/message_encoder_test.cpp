@@ -33,7 +33,7 @@ TEST(MessageEncoder, WritesTheLargestMessagesIntoOnePacket) {
   };
   m.session = m.model_hash = ~std::uint64_t{0}, m.number = m.frame = m.matched = ~std::uint32_t{0};
   m.t_capture.ns = m.t_send.ns = -1, m.rms_px = 1e300, m.valid = true;
-  m.status = tracker::TrackingStatus::fault, m.reason = tracker::Reason::joint_limit;
+  m.status = tracker::TrackingStatus::fault, m.reason = tracker::Reason::blurred;
   fill(m.t_cam_obj, 1.0), fill(m.joints, 1.0), fill(m.velocity, 1.0), fill(m.covariance, 1.0);
   fill(m.observability, tracker::Observability::observed), fill(m.t_base_obj, 1.0);
   EXPECT_EQ(by_nanopb(m), test::by_protobuf(m));

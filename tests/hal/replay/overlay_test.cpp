@@ -96,7 +96,7 @@ TEST_F(OverlayPicture, ShowsAMatchedFeatureGreenAndAnUnmatchedOneRed) {
 TEST_F(OverlayPicture, NamesFlawsInWords) {
   EXPECT_EQ(names_of_flaws(0), "");
   EXPECT_EQ(names_of_flaws(vision::kSaturated), "saturated");
-  EXPECT_EQ(names_of_flaws(vision::kBlurred | vision::kOccluded), "blurred occluded");
+  EXPECT_EQ(names_of_flaws(vision::kBlurred | vision::kClipped | vision::kOccluded), "blurred clipped occluded");
 }
 
 TEST_F(OverlayPicture, LeavesNothingBehindWhereItCannotBeWritten) {
