@@ -5,6 +5,7 @@
 
 #include "core/timestamp.hpp"
 #include "core/tracker/estimate.hpp"
+#include "core/tracker/image_report.hpp"
 #include "core/tracker/options.hpp"
 
 namespace articam::tracker {
@@ -21,8 +22,7 @@ struct Evidence {
   bool outlier{};
   bool ambiguous{};     ///< the mirror image explains the frames nearly as well
   bool beyond_limit{};  ///< the marks want a joint beyond its limit
-  bool overloaded{};
-  Reason image{Reason::none};       ///< what is wrong with the image itself
+  ImageReport image{};
   Reason unacquired{Reason::none};  ///< why a search without a prediction found nothing; none where it was not needed
 };
 
@@ -48,7 +48,7 @@ class Judge {
     misfits_ = misfit ? std::min(misfits_ + 1, kMisfitsToFault) : 0;
     presses_ = evidence.beyond_limit ? std::min(presses_ + 1, kMisfitsToFault) : 0;
     Verdict verdict = consider(evidence, t);
-    if (evidence.image != Reason::none && is_symptom(verdict)) verdict.reason = evidence.image;
+    if (evidence.image.fault != Reason::none && is_symptom(verdict)) verdict.reason = evidence.image.fault;
     const bool good = verdict.status == TrackingStatus::tracking || verdict.status == TrackingStatus::degraded;
     // One mark in the clutter can be followed for ever; only what checks itself is a measurement.
     if (good && evidence.redundant) ever_measured_ = true, t_measured_ = t;
@@ -90,10 +90,10 @@ class Judge {
     using enum TrackingStatus;
     if (misfits_ >= kMisfitsToFault) return {fault, Reason::large_residual};
     if (evidence.unacquired != Reason::none) {
-      return unmeasured(evidence.overloaded ? Reason::overload : evidence.unacquired, t);
+      return unmeasured(evidence.image.overloaded ? Reason::overload : evidence.unacquired, t);
     }
     const bool enough = following(t) ? evidence.matched > 0 : evidence.redundant;
-    if (!enough) return unmeasured(evidence.overloaded ? Reason::overload : Reason::few_markers, t);
+    if (!enough) return unmeasured(evidence.image.overloaded ? Reason::overload : Reason::few_markers, t);
     if (!evidence.agrees) return unmeasured(Reason::large_residual, t);
     if (!following(t)) {
       if (!evidence.converged) return unmeasured(Reason::not_converged, t);
@@ -104,7 +104,7 @@ class Judge {
     if (!evidence.redundant) return {degraded, Reason::few_markers};
     if (evidence.contradictory) return {degraded, Reason::large_residual};
     if (!evidence.converged) return {degraded, Reason::not_converged};
-    if (evidence.overloaded) return {degraded, Reason::overload};
+    if (evidence.image.overloaded) return {degraded, Reason::overload};
     // Against its stop a joint may be pressed for a moment; one that stays pressed has another range.
     if (presses_ == kMisfitsToFault) return {degraded, Reason::joint_limit};
     if (evidence.beyond_limit) return {tracking, Reason::joint_limit};

@@ -40,7 +40,7 @@ class Tracker {
   EstimateType step(const ImageView& image, Timestamp t) noexcept;
 
   /// The same from the detections of a frame that an earlier run saw: what they were made from is not looked at again.
-  EstimateType step(const vision::Detections& detections, bool overloaded, Timestamp t) noexcept;
+  EstimateType step(const vision::Detections& detections, const ImageReport& image, Timestamp t) noexcept;
 
   /// The estimate at a time at which the camera gave nothing, or nothing that can be used. Changes nothing.
   EstimateType coast(Timestamp t, Reason reason = Reason::no_frame) const noexcept;
@@ -51,7 +51,7 @@ class Tracker {
   EstimateType predict(Timestamp t) const noexcept;
 
   const vision::Detections& detections() const noexcept { return detections_; }
-  bool overloaded() const noexcept { return evidence_.overloaded; }  ///< the newest frame exceeded the detector
+  const ImageReport& image_report() const noexcept { return evidence_.image; }  ///< of the newest frame
   const Matches<Model, Scalar>& matches() const noexcept { return matches_; }
   /// What the newest search without a prediction has found, the likeliest first. After `ambiguous`, both.
   const FixedVector<Hypothesis<Model, Scalar>, 2>& candidates() const noexcept {

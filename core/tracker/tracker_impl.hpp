@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/tracker/look.hpp"
-#include "core/tracker/poor_image.hpp"
 #include "core/tracker/rolling_shutter.hpp"
 #include "core/tracker/tracker.hpp"
 #include "core/tracker/tracker_paper.hpp"
@@ -74,12 +73,12 @@ auto Tracker<Model, Scalar>::step(const ImageView& image, Timestamp t) noexcept 
 }
 
 template <class Model, class Scalar>
-auto Tracker<Model, Scalar>::step(const vision::Detections& detections, bool overloaded, Timestamp t) noexcept
+auto Tracker<Model, Scalar>::step(const vision::Detections& detections, const ImageReport& image, Timestamp t) noexcept
     -> EstimateType {
   if (const Reason reason = refusal(t); reason != Reason::none) return coast(t, reason);
   begin(t);
   detections_ = detections;
-  evidence_.overloaded = overloaded;
+  evidence_.image = image;
   return follow(t);
 }
 
@@ -179,13 +178,14 @@ void Tracker<Model, Scalar>::expect(const Mat<Scalar, kDof, kDof>& P) noexcept {
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::look(const ImageView& image) noexcept {
   if (following_) {
-    evidence_.overloaded = tracker::look<Model, Scalar>(detector_, image, features_, detections_);
+    evidence_.image.overloaded = tracker::look<Model, Scalar>(detector_, image, features_, detections_);
   } else {
     (void)detector_.detect(image, detections_);  // the view was checked by fits()
-    evidence_.overloaded = detector_.overloaded();
+    evidence_.image.overloaded = detector_.overloaded();
   }
   const auto visible = std::ranges::count_if(features_, [](const auto& feature) { return feature.visible; });
-  evidence_.image = blame_image(image, detections_, following_ ? static_cast<int>(visible) : model::kNumMarkers<Model>);
+  evidence_.image.fault =
+      blame_image(image, detections_, following_ ? static_cast<int>(visible) : model::kNumMarkers<Model>);
 }
 
 template <class Model, class Scalar>

@@ -56,7 +56,7 @@ void Tracker<Model, Scalar>::acquire() noexcept {
 template <class Model, class Scalar>
 void Tracker<Model, Scalar>::settle(const Configuration& q) noexcept {
   const Scalar first_error = found_.solution.error_norm;
-  evidence_ = {.overloaded = evidence_.overloaded, .image = evidence_.image};
+  evidence_ = {.image = evidence_.image};
   rms_px_ = Scalar(0);
   motion_.restart(q);
   rival_ = {};

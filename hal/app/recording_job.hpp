@@ -13,9 +13,11 @@
 
 #include "core/config.hpp"
 #include "core/model/table_hash.hpp"
+#include "hal/app/identification.hpp"
 #include "hal/app/start.hpp"
 #include "hal/firmware.hpp"
 #include "hal/link/file_link.hpp"
+#include "hal/link/tee_link.hpp"
 #include "hal/record/replayed_ports.hpp"
 #include "hal/run_loop.hpp"
 
@@ -23,6 +25,7 @@ namespace articam::app {
 
 struct RecordingOptions {
   std::string recording, frames, output;  ///< `frames` may be empty
+  identify::JobOptions identify;          ///< without outputs: nothing is to be identified
 };
 
 /// Where the recorded frames are there, the tracker looks at them too and must see what was recorded.
@@ -64,7 +67,7 @@ class CheckedTracker {
 
 /// Writes estimates.csv, one row a tick, and prints a summary. Returns what went wrong, or nothing.
 template <class Model>
-std::string replay_recording(const RecordingOptions& options) {
+std::string play(const RecordingOptions& options, Sightings& sightings) {
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   using Estimate = typename Tracker::EstimateType;
   std::string why;
@@ -84,6 +87,7 @@ std::string replay_recording(const RecordingOptions& options) {
     if (!why.empty()) return why;
   }
 
+  sightings.camera = header.camera;
   const auto tracker = std::make_unique<Tracker>(header.camera, header.options);
   if (header.num_start > 0) {
     const std::vector<double> start{header.start.begin(), header.start.begin() + header.num_start};
@@ -95,11 +99,13 @@ std::string replay_recording(const RecordingOptions& options) {
   hal::ReplayedTracker<Tracker> replayed{*tracker, playback};
   CheckedTracker<Tracker> checked{*tracker, replayed, playback, frames};
   hal::FileLink<Estimate> file;
-  hal::RunLoop loop{camera, clock, file, checked,
+  hal::TeeLink<Estimate, hal::FileLink<Estimate>> link{file};
+  hal::RunLoop loop{camera, clock, link, checked,
                     hal::LoopTimes{std::chrono::nanoseconds{header.period_ns}, header.max_age_s}};
   if (file.open(options.output) != Status::ok) return file.problem();
   while (loop.run_once() != hal::Tick::ended) {
     if (loop.counters().link_errors > 0) return file.problem();
+    if (!options.identify.outputs.empty()) note_sightings(*tracker, link.latest(), sightings.recording);
   }
   if (file.close() != Status::ok) return file.problem();
   fmt::print("ticks        {}{}\n", recording->ticks.size(), recording->torn ? ", then torn: the power went" : "");
@@ -107,6 +113,13 @@ std::string replay_recording(const RecordingOptions& options) {
   fmt::print("looked at    {} frames again, {} seen otherwise than recorded\n", checked.looked_at(),
              checked.different());
   return checked.different() == 0 ? std::string{} : "the detector does not see what was recorded";
+}
+
+/// The same, and identifies what was asked for.
+template <class Model>
+std::string replay_recording(const RecordingOptions& options) {
+  return identify_from<Model>(options.identify,
+                              [&options](Sightings& sightings) { return play<Model>(options, sightings); });
 }
 
 }  // namespace articam::app

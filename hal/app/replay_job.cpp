@@ -1,10 +1,7 @@
 #include "hal/app/replay_job.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 
 namespace articam::app {
 namespace {
@@ -60,11 +57,6 @@ void show_progress(std::size_t done, std::size_t all) {
   if (done % 10 != 0 && done != all) return;
   const std::size_t filled = kWidth * done / all;
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}{}", "", filled, "", kWidth - filled, done, all, done == all ? "\n" : "");
-}
-
-std::string print(const std::string& text) {
-  const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-  return printed ? std::string{} : std::string("standard output: ") + std::strerror(errno);
 }
 
 }  // namespace articam::app

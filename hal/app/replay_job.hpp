@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/config.hpp"
-#include "hal/app/note_sightings.hpp"
+#include "hal/app/identification.hpp"
 #include "hal/app/start.hpp"
 #include "hal/app/tracker_overlay.hpp"
 #include "hal/firmware.hpp"
@@ -21,7 +21,6 @@
 #include "hal/replay/pgm_camera.hpp"
 #include "hal/run_loop.hpp"
 #include "hal/timed_tracker.hpp"
-#include "tools/identify/job.hpp"
 
 namespace articam::app {
 
@@ -65,7 +64,7 @@ inline tracker::Options tracker_options(const ReplayOptions& options) {
 template <class Model>
 class Replay {
  public:
-  explicit Replay(const ReplayOptions& options) : options_{options} {}
+  Replay(const ReplayOptions& options, Sightings& sightings) : options_{options}, sightings_{sightings} {}
 
   /// All of it. Returns what went wrong, or nothing.
   std::string run() {
@@ -89,9 +88,6 @@ class Replay {
     return summary_.text(joint_names, options_.rate_hz);
   }
 
-  /// Of the frames that were played.
-  const identify::Recording& sightings() const { return sightings_; }
-
  private:
   using Tracker = tracker::Tracker<Model, DefaultScalar>;
   using Estimate = typename Tracker::EstimateType;
@@ -109,7 +105,7 @@ class Replay {
                          camera_.image().width_px, camera_.image().height_px, options_.camera.width_px,
                          options_.camera.height_px);
     }
-    if (!options_.identify.outputs.empty()) note_sightings(tracker_, estimate, sightings_);
+    if (!options_.identify.outputs.empty()) note_sightings(tracker_, estimate, sightings_.recording);
     summary_.add(estimate.status, static_cast<double>(estimate.rms_px), estimate.matched, timed_.step_s(),
                  std::vector<double>(estimate.q.joints.data(), estimate.q.joints.data() + estimate.q.joints.size()));
     return draw(frame, estimate);
@@ -134,29 +130,19 @@ class Replay {
   hal::RunLoop<hal::PgmCamera, hal::ManualClock, Link, Timed> loop_{
       camera_, clock_, link_, timed_, {.period = std::chrono::nanoseconds(from_seconds(1 / options_.rate_hz).ns)}};
   Summary summary_;
-  identify::Recording sightings_;
+  Sightings& sightings_;
 };
-
-/// Prints, or returns why not.
-std::string print(const std::string& text);
 
 /// Runs the firmware's loop over the files, prints the summary, and identifies what was asked for. Returns what went
 /// wrong, or nothing.
 template <class Model>
 std::string replay(const ReplayOptions& options) {
-  std::optional<identify::Job> identification;
-  if (!options.identify.outputs.empty()) {
-    modelgen::Diagnostics diagnostics;
-    identification = identify::Job::prepare(options.identify, identify::Object::of<Model>(), diagnostics);
-    if (!identification) return "nothing to identify from:\n" + diagnostics.text();
-  }
-  const auto job = std::make_unique<Replay<Model>>(options);  // large: a tracker holds its detector's images
-  if (auto problem = job->run(); !problem.empty()) return problem;
-  if (auto problem = print(job->summary()); !problem.empty() || !identification) return problem;
-  std::string text;
-  auto problem = identification->finish(job->sightings(), options.camera, text);
-  if (auto unprinted = print(text); problem.empty()) problem = std::move(unprinted);
-  return problem;
+  return identify_from<Model>(options.identify, [&options](Sightings& sightings) {
+    sightings.camera = options.camera;
+    const auto job = std::make_unique<Replay<Model>>(options, sightings);  // large: it holds its detector's images
+    if (auto problem = job->run(); !problem.empty()) return problem;
+    return print(job->summary());
+  });
 }
 
 }  // namespace articam::app

@@ -26,6 +26,7 @@ Example
 
   articam-replay printer_drawer --camera static_models/cameras/xtion_vga.yaml --frames run -o est.csv \
       --virtual marker_distance --identify fixed.urdf --identify fixed.markers.yaml
+  articam-replay printer_drawer --recording run.rec -o est.csv --identify fixed.markers.yaml
 
 --identify adjusts all frames at once and writes what is constant in them, with standard deviations: FILE.urdf has the
 constant joints fixed where they were found, FILE.yaml every marker at its place on its link. It also says whether the
@@ -110,7 +111,7 @@ int main(int argc, char** argv) {
   app.add_option("--markers", options.identify.markers, "likewise (default: static_models/MODEL/MODEL.markers.yaml)")
       ->needs(identify_option);
   for (const char* const other :
-       {"--camera", "--frames", "--repeat", "--max-frames", "--fps", "--q0", "--mode", "--overlay", "--identify"}) {
+       {"--camera", "--frames", "--repeat", "--max-frames", "--fps", "--q0", "--mode", "--overlay"}) {
     recording_option->excludes(app.get_option(other));  // all of that is in the recording
   }
   try {
@@ -146,6 +147,7 @@ int main(int argc, char** argv) {
   const auto run = [&model](auto&& job) { return run_for(model, job); };
   if (recording_option->count() > 0) {
     recording.output = options.output;
+    recording.identify = identify;
     return run([&]<class Model>() { return articam::app::replay_recording<Model>(recording); });
   }
 

@@ -50,9 +50,9 @@ hal::Overlay overlay_of(const tracker::Tracker<Model, S>& tracker, const tracker
                                               : why_unmatched(features[i], marks);
     overlay.predicted.push_back({std::string(Model::kMarkers[i].name), features[i].image, match.matched, why_not});
   }
-  overlay.caption = fmt::format("frame {}   {} {}   matched {}   rms {:.2f} px{}", estimate.frame,
-                                name(estimate.status), name(estimate.reason), estimate.matched,
-                                static_cast<double>(estimate.rms_px), tracker.overloaded() ? "   overloaded" : "");
+  overlay.caption = fmt::format(
+      "frame {}   {} {}   matched {}   rms {:.2f} px{}", estimate.frame, name(estimate.status), name(estimate.reason),
+      estimate.matched, static_cast<double>(estimate.rms_px), tracker.image_report().overloaded ? "   overloaded" : "");
   return overlay;
 }
 

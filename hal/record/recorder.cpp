@@ -61,9 +61,11 @@ void Recorder::answered(Timestamp now) noexcept {
   if (in_tick_ && record_.num_times < record_.times_ns.size()) record_.times_ns[record_.num_times++] = now.ns;
 }
 
-void Recorder::stepped(const vision::Detections& detections, bool overloaded, bool mismatched) noexcept {
+void Recorder::stepped(const vision::Detections& detections, const tracker::ImageReport& image,
+                       bool mismatched) noexcept {
   record_.stepped = 1;
-  record_.overloaded = overloaded ? 1 : 0;
+  record_.overloaded = image.overloaded ? 1 : 0;
+  record_.image_fault = image.fault;
   record_.mismatched = mismatched ? 1 : 0;
   detections_ = detections;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/timestamp.hpp"
+#include "core/tracker/image_report.hpp"
 #include "hal/ports/camera_port.hpp"
 #include "hal/record/recording.hpp"
 #include "hal/record/spooler.hpp"
@@ -31,7 +32,7 @@ class Recorder {
 
   void acquired(Status status, const Frame& frame) noexcept;  ///< begins a tick
   void answered(Timestamp now) noexcept;
-  void stepped(const vision::Detections& detections, bool overloaded, bool mismatched) noexcept;
+  void stepped(const vision::Detections& detections, const tracker::ImageReport& image, bool mismatched) noexcept;
 
   const Counters& counters() const noexcept { return counters_; }
   const std::string& problem() const noexcept {

@@ -15,6 +15,7 @@
 #include "core/camera_parameters.hpp"
 #include "core/status.hpp"
 #include "core/tracker/options.hpp"
+#include "core/tracker/tracking_status.hpp"
 #include "core/vision/detection.hpp"
 
 namespace articam::hal {
@@ -47,9 +48,10 @@ struct TickRecord {
   std::uint8_t stepped{};     ///< the tracker was given the frame
   std::uint8_t mismatched{};  ///< and did not look at it: its size is not the camera file's
   std::uint8_t overloaded{};
-  std::uint8_t num_times{};  ///< answers of the clock
+  tracker::Reason image_fault{};  ///< what was wrong with the image itself
+  std::uint8_t num_times{};       ///< answers of the clock
   std::uint8_t num_detections{};
-  std::array<std::uint8_t, 2> unused{};
+  std::uint8_t unused{};
   std::uint32_t sequence{};
   std::uint32_t tick{};  ///< from 0
   std::int64_t t_exposure_ns{};

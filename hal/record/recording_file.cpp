@@ -38,7 +38,10 @@ std::uint32_t crc_of(Bytes bytes) {
 std::size_t take_tick(Bytes bytes, RecordedTick& tick) {
   TickRecord& record = tick.record;
   if (!take(bytes, 0, record)) return 0;
-  if (record.num_detections > kMaxDetections || record.num_times > record.times_ns.size()) return 0;
+  if (record.num_detections > kMaxDetections || record.num_times > record.times_ns.size() ||
+      record.image_fault > tracker::Reason::blurred) {
+    return 0;
+  }
   const std::size_t size = sizeof(TickRecord) + record.num_detections * sizeof(vision::Detection);
   if (record.bytes != size || bytes.size() < size || crc_of(bytes.subspan(8, size - 8)) != record.crc32) return 0;
   for (std::size_t i = 0; i < record.num_detections; ++i) {

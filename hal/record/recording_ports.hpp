@@ -55,7 +55,8 @@ class RecordingTracker {
 
   EstimateType step(const ImageView& image, Timestamp t) noexcept {
     const EstimateType estimate = tracker_.step(image, t);
-    recorder_.stepped(tracker_.detections(), tracker_.overloaded(), estimate.reason == tracker::Reason::image_mismatch);
+    recorder_.stepped(tracker_.detections(), tracker_.image_report(),
+                      estimate.reason == tracker::Reason::image_mismatch);
     return estimate;
   }
   EstimateType coast(Timestamp t, tracker::Reason why) const noexcept { return tracker_.coast(t, why); }

@@ -75,7 +75,7 @@ class ReplayedTracker {
   EstimateType step(const ImageView&, Timestamp t) noexcept {
     const RecordedTick& tick = playback_.current();
     if (tick.record.mismatched != 0) return tracker_.coast(t, tracker::Reason::image_mismatch);
-    return tracker_.step(tick.detections, tick.record.overloaded != 0, t);
+    return tracker_.step(tick.detections, {tick.record.overloaded != 0, tick.record.image_fault}, t);
   }
   EstimateType coast(Timestamp t, tracker::Reason why) const noexcept { return tracker_.coast(t, why); }
 

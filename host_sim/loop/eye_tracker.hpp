@@ -23,9 +23,9 @@ class EyeTracker {
 
   EstimateType step(const ImageView& image, Timestamp t) noexcept {
     const auto begin = std::chrono::steady_clock::now();
-    const EstimateType estimate = image.data == nullptr ? tracker_.step(seen_, false, t) : tracker_.step(image, t);
+    const EstimateType estimate = image.data == nullptr ? tracker_.step(seen_, {}, t) : tracker_.step(image, t);
     step_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (rival_ != nullptr) rival_estimate_ = rival_->step(tracker_.detections(), tracker_.overloaded(), t);
+    if (rival_ != nullptr) rival_estimate_ = rival_->step(tracker_.detections(), tracker_.image_report(), t);
     return estimate;
   }
   EstimateType coast(Timestamp t, tracker::Reason why) noexcept {

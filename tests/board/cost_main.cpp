@@ -61,7 +61,7 @@ int main() {
     const ImageView image = Scene::draw(k, pixels);
     const Timestamp t = from_seconds(k / Scene::kRate_hz);
     const auto step = [&] { estimate = stepper.step(image, t); };
-    const auto solve = [&] { (void)solver.step(stepper.detections(), false, t); };
+    const auto solve = [&] { (void)solver.step(stepper.detections(), {}, t); };
     if (k == 0) {
       measure("first_frame", step);
       solve();

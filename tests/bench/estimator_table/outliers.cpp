@@ -32,12 +32,12 @@ struct Watching {
   Watching(const Noise& of_marks, std::uint64_t seed) : noise{of_marks} {
     test::Random random{seed};
     for (int frame = 0; frame < kFrames; ++frame) {
-      (void)tracker.step(detections_of(observe(images, noise, random), noise), false, time_of(frame));
+      (void)tracker.step(detections_of(observe(images, noise, random), noise), {}, time_of(frame));
     }
   }
   PrinterEstimate next(PrinterTracker& copy, const Images& seen, Mask mask = kAll) const {
     copy = tracker;
-    return copy.step(detections_of(seen, noise, mask), false, time_of(kFrames));
+    return copy.step(detections_of(seen, noise, mask), {}, time_of(kFrames));
   }
   Vec8 error(const PrinterEstimate& estimate) const { return model::difference<Printer, double>(truth, estimate.q); }
 };

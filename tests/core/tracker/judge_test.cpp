@@ -87,7 +87,7 @@ TEST(Judge, NamesAnOverloadedFrameAndIterationsThatStillMove) {
   (void)judge.decide(kGood, at(0.1));
   EXPECT_EQ(judge.decide(moving, at(0.2)).status, degraded);
   Evidence overload = kGood;
-  overload.overloaded = true;
+  overload.image.overloaded = true;
   EXPECT_EQ(judge.decide(overload, at(0.3)).status, degraded);
   EXPECT_EQ(judge.decide(overload, at(0.3)).reason, Reason::overload);
 }
@@ -132,7 +132,7 @@ TEST(Judge, CallsClutterInPlaceOfAnAbsentObjectNoFault) {
 TEST(Judge, NamesTheImageAsTheCauseOfWhatItMayHaveCaused) {
   Judge judge{{}};
   Evidence evidence = kGood;
-  evidence.image = Reason::blurred;
+  evidence.image.fault = Reason::blurred;
   EXPECT_EQ(judge.decide(evidence, at(0)).status, tracking);
   EXPECT_EQ(judge.decide(evidence, at(0.1)).reason, Reason::blurred);
   evidence.outlier = true;
@@ -140,11 +140,11 @@ TEST(Judge, NamesTheImageAsTheCauseOfWhatItMayHaveCaused) {
   evidence.weak = true;
   EXPECT_EQ(judge.decide(evidence, at(0.3)).status, degraded);
   EXPECT_EQ(judge.decide(evidence, at(0.4)).reason, Reason::blurred);
-  const Evidence nothing{.image = Reason::underexposed};
+  const Evidence nothing{.image = {.fault = Reason::underexposed}};
   EXPECT_EQ(judge.decide(nothing, at(0.5)).status, coasting);
   EXPECT_EQ(judge.decide(nothing, at(2)).status, lost);
   EXPECT_EQ(judge.decide(nothing, at(2.1)).reason, Reason::underexposed);
-  EXPECT_EQ(judge.decide({.overloaded = true, .image = Reason::blurred}, at(2.2)).reason, Reason::overload);
+  EXPECT_EQ(judge.decide({.image = {true, Reason::blurred}}, at(2.2)).reason, Reason::overload);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST_F(PrinterTracker, GivesFromRecordedDetectionsWhatItGaveFromTheImage) {
   const auto other = std::make_unique<Tracker>(Scenario::camera());
   for (int i = 0; i < 10; ++i) {
     const auto seen = see();
-    const auto again = other->step(tracker_->detections(), tracker_->overloaded(), seen.t_capture);
+    const auto again = other->step(tracker_->detections(), tracker_->image_report(), seen.t_capture);
     EXPECT_TRUE(seen.q.joints == again.q.joints && seen.q.T_cam_obj.t == again.q.T_cam_obj.t &&
                 seen.covariance == again.covariance && seen.status == again.status);
   }

@@ -1,4 +1,4 @@
-#include "core/tracker/poor_image.hpp"
+#include "core/tracker/image_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,17 +24,17 @@ vision::Detections marks(int n, int flawed, std::uint8_t flaw) {
   return all;
 }
 
-TEST(PoorImage, IsBlamedForMissingMarks) {
+TEST(ImageReport, IsBlamedForMissingMarks) {
   EXPECT_EQ(blame_image(view(kBlack), marks(3, 0, 0), 6), Reason::underexposed);
   EXPECT_EQ(blame_image(view(kBlack), marks(0, 0, 0), 6), Reason::underexposed);
   EXPECT_EQ(blame_image(view(kGrey), marks(3, 0, 0), 6), Reason::none);
 }
 
-TEST(PoorImage, IsNotBlamedWhereAllMarksAreSeenWell) {
+TEST(ImageReport, IsNotBlamedWhereAllMarksAreSeenWell) {
   EXPECT_EQ(blame_image(view(kBlack), marks(6, 0, 0), 6), Reason::none);
 }
 
-TEST(PoorImage, IsWhatMostOfItsMarksSay) {
+TEST(ImageReport, IsWhatMostOfItsMarksSay) {
   EXPECT_EQ(blame_image(view(kGrey), marks(6, 4, vision::kSaturated), 6), Reason::overexposed);
   EXPECT_EQ(blame_image(view(kGrey), marks(6, 4, vision::kBlurred), 6), Reason::blurred);
   EXPECT_EQ(blame_image(view(kGrey), marks(6, 3, vision::kBlurred), 6), Reason::none);

@@ -1,8 +1,12 @@
 #pragma once
-/// @file  A tracker's newest frame as a moment of a recording to identify from.
+/// @file  What `--identify` does around a replay, whatever is replayed.
+
+#include <string>
+#include <utility>
 
 #include "core/tracker/tracker.hpp"
-#include "tools/identify/recording.hpp"
+#include "hal/app/print.hpp"
+#include "tools/identify/job.hpp"
 
 namespace articam::app {
 
@@ -30,6 +34,28 @@ void note_sightings(const tracker::Tracker<Model, S>& tracker, const tracker::Es
                                 static_cast<double>(mark.centre_variance_q24) / (1 << 24), floor_px * floor_px});
   }
   if (2 * moment.sightings.size() >= static_cast<std::size_t>(model::kDof<Model>)) recording.push_back(moment);
+}
+
+/// What a replay has seen.
+struct Sightings {
+  CameraParameters camera{};
+  identify::Recording recording;
+};
+
+/// Reads the sources, plays, and identifies what was asked for. `play(Sightings&)` returns what went wrong, or nothing,
+/// and so does this.
+template <class Model, class Play>
+std::string identify_from(const identify::JobOptions& options, const Play& play) {
+  Sightings sightings;
+  if (options.outputs.empty()) return play(sightings);
+  modelgen::Diagnostics diagnostics;
+  const auto job = identify::Job::prepare(options, identify::Object::of<Model>(), diagnostics);
+  if (!job) return "nothing to identify from:\n" + diagnostics.text();
+  if (auto problem = play(sightings); !problem.empty()) return problem;
+  std::string text;
+  auto problem = job->finish(sightings.recording, sightings.camera, text);
+  if (auto unprinted = print(text); problem.empty()) problem = std::move(unprinted);
+  return problem;
 }
 
 }  // namespace articam::app

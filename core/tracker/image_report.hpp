@@ -7,6 +7,12 @@
 
 namespace articam::tracker {
 
+/// What is known of a frame beside its marks.
+struct ImageReport {
+  bool overloaded{};           ///< it exceeded the detector's capacities: marks may be missing
+  Reason fault{Reason::none};  ///< overexposed, underexposed or blurred
+};
+
 /// Where marks are missing, what is wrong with the frame; otherwise what is wrong with most of its marks.
 /// `expected`: how many marks should be there.  Reason::none: the image is not to blame.
 inline Reason blame_image(const ImageView& image, const vision::Detections& marks, int expected) noexcept {
