@@ -11,7 +11,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "cameras/cube_384x288.hpp"
+#include "cameras/cube384x288.hpp"
 #include "core/tracker/tracker.hpp"
 #include "hal/replay/pgm_camera.hpp"
 #include "models/cube.hpp"

@@ -83,7 +83,7 @@ void restarted(const Run& run, Table& table, const Start& far) {
   for (int trial = 0; trial < trials; ++trial) {
     tracker->set_start(displaced<Printer>(truth, far.turn_deg * kDegree, far.way_m, random));
     for (int frame = 0; frame < kMostFrames; ++frame) {
-      const auto estimate = tracker->step(detections_of(observe(images, kNoise, random), kNoise), false,
+      const auto estimate = tracker->step(detections_of(observe(images, kNoise, random), kNoise), {},
                                           time_of(trial * 2 * kMostFrames + frame));
       if (!has_estimate(estimate)) continue;
       const bool there = farthest<Printer>(truth, estimate.q, bound) < 6;

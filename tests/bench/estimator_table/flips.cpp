@@ -53,7 +53,7 @@ void follow(const View& view, std::uint64_t seed, Flips& count) {
   for (int frame = 0; frame < 1800; ++frame) {
     const auto truth = nodding(view, frame * kFrame_s, phase);
     const auto estimate =
-        tracker->step(detections_of(observe(images_of<Printer>(truth), noise, random), noise), false, time_of(frame));
+        tracker->step(detections_of(observe(images_of<Printer>(truth), noise, random), noise), {}, time_of(frame));
     ++count.frames;
     if (!has_estimate(estimate)) {
       ++count.missing;

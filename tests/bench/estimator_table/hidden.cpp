@@ -28,7 +28,7 @@ void hidden(const Run& run, Table& table) {
     const bool away = frame >= kLearning && phase >= kSeen;
     const Mask seen = away ? kBase : kAll;
     const auto marks = detections_of(observe(images_of<Printer>(truth), kNoise, random), kNoise, seen);
-    const auto estimate = tracker->step(marks, false, time_of(frame));
+    const auto estimate = tracker->step(marks, {}, time_of(frame));
     if (frame < kLearning) continue;
     const Vec8 bound = deviations(information<Printer>(truth, variances_of(kNoise, seen)));
     const Vec8 error = model::difference<Printer, double>(truth, estimate.q);

@@ -75,7 +75,7 @@ void follow(const Run& run, Table& table, const Case& setting, const char* motio
   for (int frame = 0; frame < frames; ++frame) {
     const double t_s = frame * kFrame_s;
     const Images seen = observe(rolling_images(t_s, setting.readout_s, motion), kNoise, random);
-    const auto estimate = tracker->step(detections_of(seen, kNoise), false, time_of(frame));
+    const auto estimate = tracker->step(detections_of(seen, kNoise), {}, time_of(frame));
     if (frame < kLearning) continue;
     const JointMotion truth = motion(t_s);
     missing += estimate.valid ? 0 : 1;

@@ -62,7 +62,7 @@ void tracked_features(const Run& run, Table& table, const Noise& noise) {
   for (int frame = 0; frame < frames; ++frame) {
     const auto truth = sim::PaperScenario::at(frame * kFrame_s).q;
     const auto marks = detections_of(observe(images_of<Printer>(truth), noise, random), noise);
-    const auto estimate = tracker->step(marks, false, time_of(frame));
+    const auto estimate = tracker->step(marks, {}, time_of(frame));
     if (frame >= kLearning) worth.add(estimate, truth);
   }
   worth.row(table, fmt::format("tracker, exact marks, paper's motion, {} px, {}", noise.centre_px,

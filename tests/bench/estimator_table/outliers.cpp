@@ -165,7 +165,7 @@ void drawer_marker_gone(const Run& run, Table& table, const Watching& watching) 
     PrinterEstimate estimate;
     for (int frame = 0; frame < kFrames; ++frame) {
       const auto marks = detections_of(observe(moved, watching.noise, random), watching.noise);
-      estimate = copy->step(marks, false, time_of(Watching::kFrames + frame));
+      estimate = copy->step(marks, {}, time_of(Watching::kFrames + frame));
     }
     const Vec8 error = watching.error(estimate);
     const auto& seen_as = estimate.observability;

@@ -26,7 +26,7 @@ class Identity : public testing::Test {
   vision::Detections marks() { return test::detections_of<M>(q_, camera_, 0.02, random_); }
   Estimate<M, double> see() { return see(marks()); }
   Estimate<M, double> see(const vision::Detections& detections) {
-    return tracker_->step(detections, false, from_seconds(++frame_ / 30.0));
+    return tracker_->step(detections, {}, from_seconds(++frame_ / 30.0));
   }
   static vision::Detection moved(vision::Detection mark, double by_u_px) {
     mark.outer.u_q16 += static_cast<std::int32_t>(65536 * by_u_px);

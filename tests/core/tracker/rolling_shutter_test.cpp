@@ -57,7 +57,7 @@ double worst_drawer_error(double readout_that_the_tracker_knows_s) {
   double worst = 0;
   for (int k = 0; k < 45; ++k) {
     const double t_s = k / 30.0;
-    const auto estimate = tracker->step(seen_row_by_row(t_s, camera, random), false, from_seconds(t_s));
+    const auto estimate = tracker->step(seen_row_by_row(t_s, camera, random), {}, from_seconds(t_s));
     EXPECT_EQ(estimate.status, TrackingStatus::tracking) << k;
     // What moves must first be known to move.
     if (k >= 15) worst = std::max(worst, std::abs(estimate.q.joints[0] - moving(t_s).joints[0]));
