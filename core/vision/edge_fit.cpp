@@ -133,9 +133,9 @@ std::uint32_t to_variance_q24(std::int64_t variance_q24) noexcept {
 // centre's variance is, by the distance of neighbours along the edge; less where the edge is sharp. Measured, 12 to
 // 72 px, blur 0.7 to 2 px.
 std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays, std::int64_t width_px_q16) noexcept {
-  constexpr std::int64_t kTurn_q16 = 411775, kApart_q16 = 3 * kOne_q16 / 2, kFar_q16 = 11 * kOne_q16 / 10;
+  constexpr std::int64_t kTurn_q16 = 411775, kApart_q16 = 31 * kOne_q16 / 20, kFar_q16 = 21 * kOne_q16 / 20;
   const std::int64_t pitch_q16 = integer_sqrt(mean_square_q16 << kQ16) * kTurn_q16 / rays >> kQ16;
-  return kFar_q16 + std::clamp<std::int64_t>(kApart_q16 - pitch_q16, 0, 3 * width_px_q16 / 8);
+  return kFar_q16 + std::clamp<std::int64_t>(kApart_q16 - pitch_q16, 0, width_px_q16 / 3);
 }
 
 // centre = M c, and each of c's variances is 2 / rays of the scatter; the mean of those of u and v. A semi-axis is
