@@ -17,7 +17,7 @@ Manipulation::Manipulation(const Setting& setting, const WorldOptions& world, co
       max_silence_s_{control.max_silence_s},
       steps_per_period_{static_cast<int>(control.period_s / kDt + 0.5)},
       sighting_{-1e9, setting.object_position, 0},
-      past_(static_cast<std::size_t>(kMemory_s / kDt) + 2, Past{setting.object_position, 0}) {}
+      past_(static_cast<std::size_t>(kMemory_s / kDt) + 2, Past{setting.object_position, 0, world_.arm_cam()}) {}
 
 void Manipulation::advance_to(double t_s) {
   while (static_cast<double>(steps_ + 1) * kDt <= t_s + 1e-9) {
@@ -25,7 +25,8 @@ void Manipulation::advance_to(double t_s) {
     if (phase == 0) control();
     world_.step(controller_.command(), static_cast<double>(phase + 1) * kDt);
     ++steps_;
-    past_[static_cast<std::size_t>(steps_) % past_.size()] = {world_.object_position(), world_.object_rate()};
+    past_[static_cast<std::size_t>(steps_) % past_.size()] = {world_.object_position(), world_.object_rate(),
+                                                              world_.arm_cam()};
   }
 }
 
@@ -61,7 +62,11 @@ Manipulation::Instant Manipulation::at(double t_s) const noexcept {
   const auto step = std::clamp(static_cast<long>(t_s / kDt + 1e-6), 0L, steps_);
   const Past& past = past_[static_cast<std::size_t>(step) % past_.size()];
   const double since_s = t_s - static_cast<double>(step) * kDt;
-  return {past.position + since_s * past.rate, past.rate, world_.T_cam_obj(t_s)};
+  const Pose<double> T = world_.T_cam_obj(t_s), before = world_.T_cam_obj(t_s - kDt),
+                     after = world_.T_cam_obj(t_s + kDt);
+  Vec6 twist;
+  twist << after.t - before.t, math::log_so3<double>(after.R * before.R.conjugate());
+  return {past.position + since_s * past.rate, past.rate, T, twist / (2 * kDt), past.arm_cam};
 }
 
 }  // namespace articam::sim

@@ -48,6 +48,8 @@ class Manipulation {
   struct Instant {
     double position{}, rate{};
     Pose<double> T_cam_obj;
+    Vec6 twist;  ///< of {obj} in {cam}, as the tracker's qdot: by the sway
+    ArmPoints arm_cam;
   };
   Instant at(double t_s) const noexcept;
 
@@ -72,6 +74,7 @@ class Manipulation {
   JointSighting sighting_;
   struct Past {
     double position{}, rate{};
+    ArmPoints arm_cam;
   };
   std::vector<Past> past_;  ///< of step k at k modulo its size
   std::vector<ControlSample> samples_;

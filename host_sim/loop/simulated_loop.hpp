@@ -117,24 +117,17 @@ class SimulatedLoop {
 
   const CameraParameters& camera() const noexcept { return scenario_.camera; }
 
-  /// What the camera saw then, pixel by pixel; where no images were rendered, what it would have seen. Until the next.
-  ImageView image_of(const FrameRecord& frame) {
-    ObjectState<Model> object = scenario_.rest;
-    object.q.T_cam_obj = frame.truth.T_cam_obj;
-    for (int j = 0; j < model::kNumJoints<Model>; ++j) {
-      object.q.joints[j] = frame.truth.joints[static_cast<std::size_t>(j)];
-    }
-    return photograph(object, frame.t_s, static_cast<std::uint32_t>(frame.t_s * options_.rate_hz + 0.5));
-  }
+  /// What the camera saw in that frame, pixel by pixel; where no images were rendered, what it would have seen. Until
+  /// the next.
+  ImageView image_of(const FrameRecord& frame) { return photograph(scenes_[frame.frame], frame.frame); }
 
  private:
-  /// As frames of an instant are rendered.
-  Renderer& renderer(double t_s) {
-    const RenderOptions at = rendering_at(scenario_.faults, t_s, options_.rendering);
-    auto& renderer = renderers_[{at.exposure, at.blur_px}];
-    if (!renderer) renderer = std::make_unique<Renderer>(scenario_.camera, at);
-    return *renderer;
-  }
+  /// What a frame showed.
+  struct Scene {
+    double t_s{};
+    std::vector<SceneMarker> markers;
+    std::vector<Limb> limbs;
+  };
 
   /// Records what goes out, and tells the controller what it may know of it.
   struct Link {
@@ -211,26 +204,34 @@ class SimulatedLoop {
     ObjectState<Model> object = scenario_.rest;
     object.q.T_cam_obj = instant.T_cam_obj;
     object.q.joints[joint] = instant.position;
+    object.qdot.template head<6>() = instant.twist;
     object.qdot[6 + joint] = instant.rate;
     return object;
+  }
+
+  Scene scene_at(double t_s) const {
+    Scene scene{t_s, scene_markers<Model>(object_at(t_s)), {}};
+    apply(scenario_.faults, t_s, scene.markers);
+    if (robot_) scene.limbs = limbs_of(robot_->at(t_s).arm_cam);
+    return scene;
   }
 
   /// The frame arrives now; it shows what was at t_s.
   ImageView expose(double t_s, std::uint32_t k) {
     advance();
-    const ObjectState<Model> object = object_at(t_s);
-    if (!options_.rendered) {
-      const int most = static_cast<int>(fault_at(scenario_.faults, FaultKind::hidden, t_s, kMaxDetections));
-      see_marks<Model>(object.q, lens_, options_.rendering.noise_grey, most, dice_, seen_);
-      return {};
-    }
-    return photograph(object, t_s, k);
+    Scene& scene = scenes_[scenario_.for_soaking ? 0 : k];
+    scene = scene_at(t_s);
+    if (options_.rendered) return photograph(scene, k);
+    see_marks(scene.markers, scene.limbs, lens_, options_.rendering.noise_grey, dice_, seen_);
+    return {};
   }
 
-  ImageView photograph(const ObjectState<Model>& object, double t_s, std::uint32_t k) {
-    std::vector<SceneMarker> markers = scene_markers<Model>(object.q);
-    apply(scenario_.faults, t_s, markers);
-    renderer(t_s).render(markers, k, pixels_);
+  ImageView photograph(const Scene& scene, std::uint32_t k) {
+    const RenderOptions at = rendering_at(scenario_.faults, scene.t_s, options_.rendering);
+    auto& renderer = renderers_[at.blur_px];
+    if (!renderer) renderer = std::make_unique<Renderer>(scenario_.camera, at);
+    renderer->set_exposure(at.exposure);
+    renderer->render(scene.markers, k, pixels_, scene.limbs);
     const CameraParameters& camera = scenario_.camera;
     return {pixels_.data(), camera.width_px, camera.height_px, camera.width_px};
   }
@@ -260,7 +261,8 @@ class SimulatedLoop {
   vision::CameraModel<double> lens_;
   Dice dice_;
   vision::Detections seen_{};
-  std::map<std::pair<double, double>, std::unique_ptr<Renderer>> renderers_;
+  std::map<std::uint32_t, Scene> scenes_;                  ///< of every frame; of a soak the newest
+  std::map<double, std::unique_ptr<Renderer>> renderers_;  ///< by the blur of the lens
   std::vector<std::uint8_t> pixels_;
 };
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/trigonometry.hpp"
+#include "core/math/so3.hpp"
+#include "core/tracker/rolling_shutter.hpp"
 #include "host_sim/world/clutter.hpp"
-#include "host_sim/world/hash.hpp"
-#include "host_sim/world/imaged_disc.hpp"
+#include "host_sim/world/pixel_bounds.hpp"
 
 namespace articam::sim {
 namespace {
@@ -16,8 +16,16 @@ constexpr double kLight_grey = 215, kDark_grey = 30, kWall_grey = 130;
 constexpr double kCardRatio = 1.4;  // a card's diameter by its marker's
 constexpr double kNearest_m = 0.01;
 constexpr int kLightBits = 14;
+constexpr double kInstantsPerPixel = 4;
+constexpr int kMostInstants = 64;
 
 constexpr int rounded(double x) { return static_cast<int>(x + (x < 0 ? -0.5 : 0.5)); }
+
+/// Where the marker is after a time.
+ImagedDisc disc_at(const SceneMarker& marker, double radius_m, double t_s) noexcept {
+  return {marker.centre_cam_m + t_s * marker.velocity,
+          math::exp_so3<double>(t_s * marker.angular_velocity) * marker.normal_cam, radius_m};
+}
 
 PixelBox whole(const GreyPlane& plane) { return {0, 0, plane.width_px - 1, plane.height_px - 1}; }
 
@@ -37,14 +45,16 @@ GreyPlane still_background(const CameraParameters& camera, const RenderOptions& 
 
 Renderer::Renderer(const CameraParameters& camera, const RenderOptions& options)
     : camera_{camera},
-      motion_{{options.motion_px[0], options.motion_px[1]}},
+      exposure_time_s_{options.exposure_time_s},
+      light_gradient_{std::max(options.light_gradient, 1.0)},
+      light_q14_(static_cast<std::size_t>(camera.width_px)),
+      covered_(static_cast<std::size_t>(camera.width_px)),
       blur_{options.blur_px},
       noise_{options.noise_grey, options.seed},
       background_{still_background(camera, options)},
-      moved_background_{background_},
       soft_background_{background_},
+      lit_background_{background_},
       sharp_{background_},
-      moved_{background_},
       soft_{background_} {
   for (int row = 0; row <= camera.height_px; ++row) {
     for (int column = 0; column <= camera.width_px; ++column) {
@@ -57,31 +67,35 @@ Renderer::Renderer(const CameraParameters& camera, const RenderOptions& options)
       largest_step_ = std::max(largest_step_, step);  // a NaN is never the larger
     }
   }
-  const double darkest = 1 / std::max(options.light_gradient, 1.0);
-  for (int u = 0; u < camera.width_px; ++u) {
-    const double across = static_cast<double>(u) / camera.width_px;
-    light_q14_.push_back(rounded(options.exposure * (1 + across * (darkest - 1)) * (1 << kLightBits)));
+  blur_.apply(background_, whole(background_), soft_background_);
+  set_exposure(options.exposure);
+}
+
+void Renderer::set_exposure(double exposure) {
+  if (exposure == exposure_) return;
+  exposure_ = exposure;
+  const int width = camera_.parameters().width_px;
+  for (int u = 0; u < width; ++u) {
+    const double across = static_cast<double>(u) / width;
+    light_q14_[static_cast<std::size_t>(u)] =
+        rounded(exposure * (1 + across * (1 / light_gradient_ - 1)) * (1 << kLightBits));
   }
-  if (!motion_.still()) motion_.apply(background_, whole(background_), moved_background_);
-  blur_.apply(moved_background_, whole(soft_), soft_);
+  soft_ = soft_background_;
   light(whole(soft_));
-  soft_background_ = soft_;
+  lit_background_ = soft_;
 }
 
 void Renderer::render(std::span<const SceneMarker> markers, std::uint64_t frame_index,
-                      std::vector<std::uint8_t>& pixels) {
+                      std::vector<std::uint8_t>& pixels, std::span<const Limb> limbs) {
   sharp_ = background_;
-  soft_ = soft_background_;
-  if (!motion_.still()) moved_ = moved_background_;
+  soft_ = lit_background_;
   std::vector<PixelBox> touched;
   for (const SceneMarker& marker : markers) touched.push_back(paint_marker(marker));
-  for (PixelBox& box : touched) {
-    if (!box.empty()) box = move(box);
-  }
+  for (const Limb& limb : limbs) touched.push_back(paint_limb(limb));
   for (const PixelBox& box : touched) {
     if (box.empty()) continue;
     const PixelBox softened = grown(box, blur_.reach_px(), soft_);
-    blur_.apply(motion_.still() ? sharp_ : moved_, softened, soft_);
+    blur_.apply(sharp_, softened, soft_);
     light(softened);
   }
   noise_.digitise(soft_, frame_index, pixels);
@@ -92,51 +106,75 @@ Vec<double, 3> Renderer::corner_ray(int column, int row) const noexcept {
   return corner_rays_[index + static_cast<std::size_t>(column)].homogeneous();
 }
 
-/// Pixels that a disc about the marker's centre may touch.
+Renderer::Passage Renderer::passage(const SceneMarker& marker) const noexcept {
+  const double rate_mps = marker.velocity.norm() + marker.outer_radius_m * marker.angular_velocity.norm();
+  const double way_px =
+      exposure_time_s_ * rate_mps / std::max(marker.centre_cam_m.z(), kNearest_m) * camera_.focal_px();
+  const int instants = 1 + static_cast<int>(std::min(kInstantsPerPixel * way_px, kMostInstants - 1.0));
+  const double half_s = instants > 1 ? 0.5 * exposure_time_s_ : 0;
+  return {instants, -half_s, camera_.parameters().readout_time_s + half_s};
+}
+
+/// Pixels that a disc about the marker's centre may touch on its way.
 PixelBox Renderer::image_box(const SceneMarker& marker, double radius_m) const noexcept {
   constexpr int kSides = 16;
   constexpr double kAround = 1.0196;  // 1 / cos(pi / 16): a polygon around the circle, not in it
-  const Vec<double, 3> e1 = marker.normal_cam.unitOrthogonal(), e2 = marker.normal_cam.cross(e1);
-  double u_min = 1e6, v_min = 1e6, u_max = -1e6, v_max = -1e6;
-  for (int i = 0; i < kSides; ++i) {
-    const auto turn = math::sin_cos(2 * 3.14159265358979323846 / kSides * i);
-    const Vec<double, 3> p = marker.centre_cam_m + kAround * radius_m * (turn.cos * e1 + turn.sin * e2);
-    if (!(p.z() > kNearest_m)) return {};
-    const Vec<double, 2> pixel = camera_.project(p.hnormalized());
-    u_min = std::min(u_min, pixel.x()), u_max = std::max(u_max, pixel.x());
-    v_min = std::min(v_min, pixel.y()), v_max = std::max(v_max, pixel.y());
+  const Passage way = passage(marker);
+  PixelBounds bounds;
+  for (const double t_s : {way.from_s, way.to_s}) {
+    const Vec<double, 3> normal = math::exp_so3<double>(t_s * marker.angular_velocity) * marker.normal_cam;
+    const Vec<double, 3> e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+    for (int i = 0; i < kSides; ++i) {
+      const auto turn = math::sin_cos(2 * 3.14159265358979323846 / kSides * i);
+      const Vec<double, 3> p =
+          marker.centre_cam_m + t_s * marker.velocity + kAround * radius_m * (turn.cos * e1 + turn.sin * e2);
+      if (!(p.z() > kNearest_m)) return {};
+      bounds.add(camera_.project(p.hnormalized()));
+    }
   }
-  const double width = camera_.parameters().width_px, height = camera_.parameters().height_px;
-  return {static_cast<int>(std::clamp(u_min - 1, 0.0, width)), static_cast<int>(std::clamp(v_min - 1, 0.0, height)),
-          static_cast<int>(std::clamp(u_max + 2, -1.0, width - 1)),
-          static_cast<int>(std::clamp(v_max + 2, -1.0, height - 1))};
+  return bounds.within(camera_.parameters());
 }
 
 /// Calls paint(grey level, share of the pixel covered) for every pixel that the disc touches.
 template <class Paint>
 void Renderer::paint_disc(const SceneMarker& marker, double radius_m, const Paint& paint) {
   const PixelBox box = image_box(marker, radius_m);
-  const ImagedDisc disc{marker.centre_cam_m, marker.normal_cam, radius_m};
+  if (box.empty()) return;
+  const int instants = passage(marker).instants;
+  for (int v = box.v_min_px; v <= box.v_max_px; ++v) {
+    std::fill(covered_.begin() + box.u_min_px, covered_.begin() + box.u_max_px + 1, 0.0);
+    const double row_s = tracker::row_delay_s<double>(camera_.parameters(), v);
+    for (int i = 0; i < instants; ++i) {
+      const double t_s = row_s + ((i + 0.5) / instants - 0.5) * exposure_time_s_;
+      cover(disc_at(marker, radius_m, t_s), v, box.u_min_px, box.u_max_px);
+    }
+    for (int u = box.u_min_px; u <= box.u_max_px; ++u) {
+      const double share = covered_[static_cast<std::size_t>(u)] / instants;
+      if (share > 0) paint(sharp_.row(v)[u], share);
+    }
+  }
+}
+
+/// Adds the shares of a row's pixels that the disc covers.
+void Renderer::cover(const ImagedDisc& disc, int v, int u_min, int u_max) noexcept {
   const double bend = disc.bend(largest_step_);
   const auto side = [&](int column, int row) {
     const double value = disc.side(corner_ray(column, row));
     return value == value ? value : std::numeric_limits<double>::infinity();
   };
-  for (int v = box.v_min_px; v <= box.v_max_px; ++v) {
-    double upper_left = side(box.u_min_px, v), lower_left = side(box.u_min_px, v + 1);
-    for (int u = box.u_min_px; u <= box.u_max_px; ++u) {
-      const double upper_right = side(u + 1, v), lower_right = side(u + 1, v + 1);
-      const auto [nearest, farthest] = std::minmax({upper_left, upper_right, lower_left, lower_right});
-      std::int16_t& grey = sharp_.row(v)[u];
-      if (farthest < -bend) {
-        paint(grey, 1.0);
-      } else if (nearest <= bend) {
-        paint(grey,
-              disc.coverage({corner_ray(u, v), corner_ray(u + 1, v), corner_ray(u, v + 1), corner_ray(u + 1, v + 1)}));
-      }
-      upper_left = upper_right;
-      lower_left = lower_right;
+  double upper_left = side(u_min, v), lower_left = side(u_min, v + 1);
+  for (int u = u_min; u <= u_max; ++u) {
+    const double upper_right = side(u + 1, v), lower_right = side(u + 1, v + 1);
+    const auto [nearest, farthest] = std::minmax({upper_left, upper_right, lower_left, lower_right});
+    double& covered = covered_[static_cast<std::size_t>(u)];
+    if (farthest < -bend) {
+      covered += 1;
+    } else if (nearest <= bend) {
+      covered +=
+          disc.coverage({corner_ray(u, v), corner_ray(u + 1, v), corner_ray(u, v + 1), corner_ray(u + 1, v + 1)});
     }
+    upper_left = upper_right;
+    lower_left = lower_right;
   }
 }
 
@@ -166,11 +204,15 @@ PixelBox Renderer::paint_marker(const SceneMarker& marker) {
   return touched;
 }
 
-PixelBox Renderer::move(const PixelBox& box) {
-  if (motion_.still()) return box;
-  const PixelBox reached = grown(box, motion_.reach_px(), moved_);
-  motion_.apply(sharp_, reached, moved_);
-  return reached;
+PixelBox Renderer::paint_limb(const Limb& limb) {
+  const PixelBox box = sim::image_box(limb, camera_);
+  for (int v = box.v_min_px; v <= box.v_max_px; ++v) {
+    for (int u = box.u_min_px; u <= box.u_max_px; ++u) {
+      const Vec<double, 3> ray = 0.5 * (corner_ray(u, v) + corner_ray(u + 1, v + 1));
+      sim::paint_limb(limb, ray, camera_.focal_px(), sharp_.row(v)[u]);
+    }
+  }
+  return box;
 }
 
 void Renderer::light(const PixelBox& box) {

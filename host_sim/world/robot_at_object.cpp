@@ -34,6 +34,11 @@ Setting make_setting(const Mechanism& robot, const Mechanism& object, const std:
   return setting;
 }
 
+std::vector<Limb> limbs_of(const ArmPoints& arm_cam) {
+  const auto& [shoulder, elbow, wrist, hand] = arm_cam;
+  return {{shoulder, elbow, 0.05}, {elbow, wrist, 0.04}, {wrist, hand, 0.025}};
+}
+
 RobotAtObject::RobotAtObject(const Setting& setting, const WorldOptions& options)
     : setting_{setting},
       options_{options},
@@ -41,6 +46,8 @@ RobotAtObject::RobotAtObject(const Setting& setting, const WorldOptions& options
       fingers_{options.fingers},
       robot_{setting.robot, setting.T_obj_base.R.conjugate() * setting.gravity_obj},
       object_{setting.object, setting.gravity_obj},
+      arm_links_{setting.robot.link("upper_arm"), setting.robot.link("forearm"), setting.robot.link("wrist"),
+                 setting.grasp.hand},
       q_{setting.posture},
       qdot_{JointVec::Zero(setting.posture.size())},
       object_q_{JointVec::Constant(1, setting.object_position)},
@@ -54,6 +61,13 @@ RobotAtObject::RobotAtObject(const Setting& setting, const WorldOptions& options
 
 Pose<double> RobotAtObject::T_cam_obj(double t_s) const noexcept {
   return (setting_.T_obj_base * sway_.at(t_s).pose * setting_.T_base_cam).inverse();
+}
+
+ArmPoints RobotAtObject::arm_cam() const noexcept {
+  const Pose<double> T_cam_base = setting_.T_base_cam.inverse();
+  ArmPoints points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = T_cam_base * robot_.pose(arm_links_[i]).t;
+  return points;
 }
 
 void RobotAtObject::step(const ServoCommand& command, double since_command_s) noexcept {

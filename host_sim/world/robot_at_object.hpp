@@ -1,10 +1,13 @@
 #pragma once
 /// @file  A robot that stands, sways and holds an object by its handle: what really happens, in small steps.
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "host_sim/control/multi_robot_controller.hpp"
 #include "host_sim/world/fingers.hpp"
+#include "host_sim/world/limb.hpp"
 #include "host_sim/world/sway.hpp"
 
 namespace articam::sim {
@@ -25,6 +28,12 @@ struct Setting {
 Setting make_setting(const Mechanism& robot, const Mechanism& object, const std::string& handle_link,
                      const Vec<double, 3>& handle_m, double object_position, const JointVec& posture,
                      const Quat<double>& R_obj_base, const Pose<double>& T_cam_obj);
+
+/// Shoulder, elbow, wrist and hand, m.
+using ArmPoints = std::array<Vec<double, 3>, 4>;
+
+/// Upper arm, forearm and hand between them, as thick as clothed ones; {cam}.
+std::vector<Limb> limbs_of(const ArmPoints& arm_cam);
 
 struct WorldOptions {
   FingerOptions fingers;
@@ -55,6 +64,7 @@ class RobotAtObject {
   const HandAtHandle& hand() const noexcept { return hand_; }
   Vec6 hand_twist() const noexcept { return robot_.twist(setting_.grasp.hand); }  ///< in {base}
   Pose<double> T_cam_obj(double t_s) const noexcept;
+  ArmPoints arm_cam() const noexcept;  ///< {cam} is mounted on the robot, as the arm is
 
   /// A fault of the object: its friction by the model's, from now on.
   void set_friction_factor(double factor) noexcept { options_.friction_factor = factor; }
@@ -69,6 +79,7 @@ class RobotAtObject {
   Sway sway_;
   Fingers fingers_;
   RigidBodyDynamics robot_, object_;
+  std::array<MechanismLink, 4> arm_links_;
   JointVec q_, qdot_, object_q_, object_rate_;
   JointVec servo_stiffness_, servo_damping_;
   Pose<double> T_obj_base_;

@@ -139,8 +139,9 @@ TEST(DetectorAccuracy, FindsRingsOf20PixelsThatMoveBy8InAnyDirectionWhileExposed
   constexpr int kDirections = 24;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = std::numbers::pi * i / kDirections;
-    sim::Renderer renderer(test::kVga, {.motion_px = {8 * std::cos(angle), 8 * std::sin(angle)}});
-    const auto markers = test::grid_of_markers(kRing, 4, 3, 20, std::numbers::pi / 6, random);
+    auto markers = test::grid_of_markers(kRing, 4, 3, 20, std::numbers::pi / 6, random);
+    test::set_moving(markers, {8 * std::cos(angle), 8 * std::sin(angle)});
+    sim::Renderer renderer(test::kVga, {});
     renderer.render(markers, static_cast<std::uint64_t>(i), pixels);
     Detections found;
     ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);

@@ -63,17 +63,16 @@ Target target_of(const Scene& scene, const Cell& cell) {
 test::DetectorScore measure(const Scene& scene, const Cell& cell, int least_marks, std::uint64_t seed) {
   const int columns = cell.diameter_px > 40 ? 3 : 4, rows = cell.diameter_px > 40 ? 2 : 3;
   std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
-  sim::Renderer renderer(test::kVga, {.blur_px = scene.blur_px,
-                                      .seed = seed,
-                                      .clutter = scene.clutter,
-                                      .light_gradient = scene.light_gradient,
-                                      .motion_px = {scene.motion_px * 0.8, scene.motion_px * 0.6}});
+  sim::Renderer renderer(
+      test::kVga,
+      {.blur_px = scene.blur_px, .seed = seed, .clutter = scene.clutter, .light_gradient = scene.light_gradient});
   const auto detector = std::make_unique<vision::Detector>();
   std::vector<std::uint8_t> pixels;
   test::DetectorScore score;
   for (std::uint64_t i_frame = 0; score.shown < least_marks; ++i_frame) {
-    const auto markers = test::grid_of_markers(model::MarkerKind::ring, columns, rows, cell.diameter_px,
-                                               cell.tilt_deg * std::numbers::pi / 180, random);
+    auto markers = test::grid_of_markers(model::MarkerKind::ring, columns, rows, cell.diameter_px,
+                                         cell.tilt_deg * std::numbers::pi / 180, random);
+    test::set_moving(markers, {scene.motion_px * 0.8, scene.motion_px * 0.6});
     renderer.render(markers, i_frame, pixels);
     vision::Detections marks;
     if (detector->detect(test::view_of(pixels), marks) != Status::ok) return {};

@@ -67,6 +67,14 @@ inline std::vector<sim::SceneMarker> grid_of_markers(model::MarkerKind kind, int
   return markers;
 }
 
+/// Lets all move by so much while a frame is exposed as by default.
+inline void set_moving(std::vector<sim::SceneMarker>& markers, const Vec<double, 2>& way_px) {
+  for (sim::SceneMarker& marker : markers) {
+    const double px_per_mps = kVga.fx_px / marker.centre_cam_m.z() * sim::RenderOptions{}.exposure_time_s;
+    marker.velocity = {way_px.x() / px_per_mps, way_px.y() / px_per_mps, 0};
+  }
+}
+
 inline ImageView view_of(const std::vector<std::uint8_t>& pixels, const CameraParameters& camera = kVga) {
   return {pixels.data(), camera.width_px, camera.height_px, camera.width_px};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/tracker/features.hpp"
 #include "core/vision/detector.hpp"
 #include "host_sim/scenarios/paper.hpp"
 
@@ -18,7 +19,7 @@ TEST(SeenMarks, AreThoseThatThePredictionExpects) {
   const auto q = PaperScenario::at(7).q;
   Dice dice{1};
   vision::Detections seen;
-  see_marks<Model>(q, kCamera, 0, kMaxDetections, dice, seen);
+  see_marks(scene_markers<Model>(q), {}, kCamera, 0, dice, seen);
   ASSERT_EQ(seen.size(), Model::kMarkers.size());
   const auto features = tracker::predict_features<Model, double>(q, kCamera);
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -27,8 +28,38 @@ TEST(SeenMarks, AreThoseThatThePredictionExpects) {
     EXPECT_NEAR(vision::from_q16(seen[i].outer.v_q16), features[i].pixel.y(), 0.015);
     EXPECT_EQ(seen[i].kind, features[i].kind);
   }
-  see_marks<Model>(q, kCamera, 0, 4, dice, seen);
-  EXPECT_EQ(seen.size(), 4u) << "the others are hidden";
+}
+
+TEST(SeenMarks, AreNotThoseOfWhichALimbHidesMoreThanATenth) {
+  const auto markers = scene_markers<Model>(PaperScenario::at(0).q);
+  const Vec<double, 3> before = 0.8 * markers[2].centre_cam_m;
+  Dice dice{1};
+  vision::Detections seen;
+  const auto seen_with = [&](double off_m) {
+    const Limb limb{before + Vec<double, 3>{off_m, -0.03, 0}, before + Vec<double, 3>{off_m, 0.03, 0}, 0.01};
+    see_marks(markers, {&limb, 1}, kCamera, 0, dice, seen);
+    return seen.size();
+  };
+  EXPECT_EQ(seen_with(0.05), markers.size()) << "beside it";
+  EXPECT_EQ(seen_with(0.0), markers.size() - 1);
+}
+
+TEST(SeenMarks, AreWhereTheirOwnRowShowsThem) {
+  CameraParameters rolling = PaperScenario::camera();
+  rolling.readout_time_s = 0.02;
+  auto markers = scene_markers<Model>(PaperScenario::at(0).q);
+  for (SceneMarker& marker : markers) marker.velocity = {0.2, 0, 0};
+  Dice dice{1};
+  vision::Detections global, seen;
+  see_marks(markers, {}, kCamera, 0, dice, global);
+  see_marks(markers, {}, vision::CameraModel<double>{rolling}, 0, dice, seen);
+  ASSERT_EQ(seen.size(), global.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const double delay_s = 0.02 * vision::from_q16(global[i].outer.v_q16) / 479;
+    const double way_px = vision::from_q16(seen[i].outer.u_q16 - global[i].outer.u_q16);
+    // The grid's noise of both, and the perspective of a tilted mark.
+    EXPECT_NEAR(way_px, 525 / markers[i].centre_cam_m.z() * 0.2 * delay_s, 0.03);
+  }
 }
 
 /// Variance of the centres about the truth, and what is said of it, over frames that `see` fills.
@@ -68,7 +99,7 @@ TEST(SeenMarks, AreAsNoisyAsDetectionsInImagesAndSaySo) {
     });
     Dice dice{2};
     const auto in_features = centre_variances(q, [&](int, vision::Detections& seen) {
-      see_marks<Model>(q, kCamera, RenderOptions{}.noise_grey, kMaxDetections, dice, seen);
+      see_marks(scene_markers<Model>(q), {}, kCamera, RenderOptions{}.noise_grey, dice, seen);
     });
     for (std::size_t i = 0; i < 2; ++i) {  // had, said; the formula is a fit to some sizes of some frames
       EXPECT_GT(in_features[i], 0.5 * in_images[i]) << depth;
