@@ -16,8 +16,11 @@ double fault_at(std::span<const Fault> faults, FaultKind kind, double t_s, doubl
 /// What becomes of frame k; which frames are dropped depends on the seed.
 FrameFate fate_of(std::span<const Fault> faults, double t_s, std::uint32_t k, std::uint64_t seed) noexcept;
 
-/// Leaves hidden markers out, moves one, and puts planted ones in.
+/// Leaves hidden markers out, moves one or all, and puts planted ones in.
 void apply(std::span<const Fault> faults, double t_s, std::vector<SceneMarker>& markers);
+
+/// What of frame k's buffer is said to be there.
+ImageView cut(std::span<const Fault> faults, double t_s, std::uint32_t k, ImageView frame) noexcept;
 
 /// How a frame is rendered at an instant.
 RenderOptions rendering_at(std::span<const Fault> faults, double t_s, const RenderOptions& usual) noexcept;

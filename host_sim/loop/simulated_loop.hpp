@@ -221,7 +221,7 @@ class SimulatedLoop {
     advance();
     Scene& scene = scenes_[scenario_.for_soaking ? 0 : k];
     scene = scene_at(t_s);
-    if (options_.rendered) return photograph(scene, k);
+    if (options_.rendered) return cut(scenario_.faults, t_s, k, photograph(scene, k));
     see_marks(scene.markers, scene.limbs, lens_, options_.rendering.noise_grey, dice_, seen_);
     return {};
   }

@@ -34,7 +34,7 @@ Status SimCamera::acquire(hal::Frame& out, std::chrono::milliseconds wait) noexc
     return is_unplugged(seconds_between({}, patience)) ? Status::no_device : Status::timeout;
   }
   clock_.advance_to(arrival);
-  out = {expose_(seconds_between({}, t), next_), t, next_};
+  out = {expose_(seconds_between({}, t), next_), {t.ns + fate().stamp_error.count() * kNsPerMs}, next_};
   repeat_ = fate().repeated && !again;
   ++next_;
   return Status::ok;

@@ -17,10 +17,11 @@ struct FrameFate {
   bool lost{};                         ///< never arrives; the next one's number tells
   bool repeated{};                     ///< comes a second time, at once
   std::chrono::milliseconds delay{0};  ///< on top of the usual latency; later frames wait behind it
+  std::chrono::milliseconds stamp_error{0};  ///< its stamp is so much later than the truth
 };
 
-/// Frame k shows the world at the instant k / rate (all rows at once) and arrives `latency` later; waiting for it moves
-/// the clock there. One frame is lent at a time.
+/// Frame k shows the world at the instant k / rate (its first row does; see Renderer) and arrives `latency` later;
+/// waiting for it moves the clock there. One frame is lent at a time.
 class SimCamera {
  public:
   using Scene = std::function<std::vector<SceneMarker>(double t_s)>;

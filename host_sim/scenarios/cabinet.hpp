@@ -20,7 +20,7 @@ inline Scenario<models::Cabinet> cabinet_scenario() {
   pull.object_urdf = urdf::kCabinet;
   pull.joint = models::Cabinet::Joint::kUpperSlide;
   pull.handle_link = "upper_drawer";
-  pull.handle_m = {0.03, 0, 0.13};
+  pull.handle_m = {0.03, 0.05, 0.15};
   pull.R_obj_base << -1, 0, 0, 0, -1, 0, 0, 0, 1;
   pull.commands = {{3, 0.2}, {5, 0.28}, {12, 0.18}, {18, 0.26}, {24, 0.2}};
   pull.settled = 0.003;

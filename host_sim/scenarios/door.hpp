@@ -1,5 +1,5 @@
 #pragma once
-/// @file  A robot opens and closes a door by its lever.
+/// @file  A robot opens and closes a door.
 
 #include "core/model/configuration.hpp"
 #include "host_sim/dynamics/urdf_texts.hpp"
@@ -11,7 +11,7 @@ namespace articam::sim {
 
 inline Scenario<models::Door> door_scenario() {
   Scenario<models::Door> door{.name = "door",
-                              .summary = "a robot swings a door by its lever",
+                              .summary = "a robot swings a door, its hand below the lever",
                               .duration_s = 30,
                               .rest_s = 3,
                               .camera = cameras::kXtionVga};
@@ -20,7 +20,7 @@ inline Scenario<models::Door> door_scenario() {
   pull.object_urdf = urdf::kDoor;
   pull.joint = models::Door::Joint::kHinge;
   pull.handle_link = "leaf";
-  pull.handle_m = {0.06, 0.67, 0.05};
+  pull.handle_m = {0.06, 0.62, -0.05};  // on the lever it would hide its ring
   pull.R_obj_base << -1, 0, 0, 0, -1, 0, 0, 0, 1;
   pull.control.max_object_rate = 0.12;  // rad/s
   pull.commands = {{3, 0.4}, {5, 0.6}, {12, 0.45}, {18, 0.65}, {24, 0.4}};

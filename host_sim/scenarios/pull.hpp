@@ -13,12 +13,16 @@ enum class FaultKind {
   dropped,    ///< the frame is lost; `amount`: the share that is
   late,       ///< the frame arrives `amount` seconds later than others
   repeated,   ///< the frame comes a second time
+  stamped,    ///< the frame's time is `amount` seconds more than the truth
+  cut,        ///< the buffer lacks half of its rows, or a byte of each
   silent,     ///< the camera gives nothing
   unplugged,  ///< and says that it is gone
   hidden,     ///< only the first `amount` markers are seen
   planted,    ///< `amount` rings that belong to nobody drift by
   moved,      ///< the first marker is `amount` metres from where it belongs
+  warped,     ///< every marker is, each in another direction
   exposure,   ///< light by `amount` of what is right
+  flicker,    ///< light swings from 0.5 to 1.3 of what is right and back, `amount` times a second
   blur,       ///< sigma of the lens becomes `amount` px
   friction,   ///< of the object, becomes `amount` times the model's
 };

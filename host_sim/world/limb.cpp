@@ -50,6 +50,7 @@ void paint_limb(const Limb& limb, const Vec<double, 3>& ray, double focal_px, st
 
 double hidden_share(std::span<const Limb> limbs, const Vec<double, 3>& centre_cam_m, const Vec<double, 3>& normal_cam,
                     double radius_m) noexcept {
+  if (limbs.empty()) return 0;
   constexpr int kOnEdge = 16;
   const auto is_hidden = [limbs](const Vec<double, 3>& p) {
     return std::ranges::any_of(limbs, [&p](const Limb& limb) { return limb.hides(p); });

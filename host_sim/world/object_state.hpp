@@ -17,32 +17,28 @@ struct ObjectState {
   Vec<double, model::kDof<Model>> qdot{Vec<double, model::kDof<Model>>::Zero()};
 };
 
-/// The marks of a model that rests at a configuration, in the table's order.
+/// The marks of a model, in the table's order.
 template <class Model>
-std::vector<SceneMarker> scene_markers(const model::Configuration<Model, double>& q) {
-  const auto kinematics = model::forward_kinematics<Model, double>(q.joints);
+std::vector<SceneMarker> scene_markers(const ObjectState<Model>& object) {
+  const Pose<double>& T_cam_obj = object.q.T_cam_obj;
+  const auto kinematics = model::forward_kinematics<Model, double>(object.q.joints);
   std::vector<SceneMarker> markers;
+  markers.reserve(Model::kMarkers.size());
   for (std::size_t i = 0; i < Model::kMarkers.size(); ++i) {
     const model::MarkerRow& row = Model::kMarkers[i];
-    markers.push_back({row.kind, q.T_cam_obj * kinematics.markers[i].centre,
-                       q.T_cam_obj.R * kinematics.markers[i].normal, 0.5 * row.outer_diameter_m,
-                       0.5 * row.inner_diameter_m});
+    const Vec<double, 6> twist =  // at the origin of {cam}
+        model::point_jacobian<Model, double>(kinematics, T_cam_obj, row.body).lazyProduct(object.qdot);
+    const Vec<double, 3> centre = T_cam_obj * kinematics.markers[i].centre, angular = twist.template tail<3>();
+    markers.push_back({row.kind, centre, T_cam_obj.R * kinematics.markers[i].normal, 0.5 * row.outer_diameter_m,
+                       0.5 * row.inner_diameter_m, twist.template head<3>() + angular.cross(centre), angular});
   }
   return markers;
 }
 
-/// The same while it moves.
+/// The same of a model that rests at a configuration.
 template <class Model>
-std::vector<SceneMarker> scene_markers(const ObjectState<Model>& object) {
-  std::vector<SceneMarker> markers = scene_markers<Model>(object.q);
-  const auto kinematics = model::forward_kinematics<Model, double>(object.q.joints);
-  for (std::size_t i = 0; i < markers.size(); ++i) {
-    const auto J = model::point_jacobian<Model, double>(kinematics, object.q.T_cam_obj, Model::kMarkers[i].body);
-    const Vec<double, 6> twist = J * object.qdot;  // at the origin of {cam}
-    markers[i].angular_velocity = twist.template tail<3>();
-    markers[i].velocity = twist.template head<3>() + markers[i].angular_velocity.cross(markers[i].centre_cam_m);
-  }
-  return markers;
+std::vector<SceneMarker> scene_markers(const model::Configuration<Model, double>& q) {
+  return scene_markers<Model>(ObjectState<Model>{q});
 }
 
 }  // namespace articam::sim
