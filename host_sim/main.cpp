@@ -158,7 +158,7 @@ int simulate(const Scenario<Model>& scenario, const Arguments& arguments) {
     std::string problem = write_whole(out / "control.csv", control_csv(run.samples));
     report.feedbacks.push_back(pulled_by(arguments.mode, scenario, std::move(run)));
     if (problem.empty() && arguments.compare) problem = compare(scenario, arguments, report.feedbacks);
-    table = feedback_text(report.feedbacks);
+    table = feedback_text(record, report.feedbacks);
     if (problem.empty() && arguments.compare) problem = write_whole(out / "feedback.txt", table);
     if (!problem.empty()) return fail(problem);
   }

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
+
+#include "host_sim/report/report_tables.hpp"
+
 namespace articam::sim {
 
 std::string control_csv(std::span<const ControlSample> samples) {
@@ -13,11 +18,16 @@ std::string control_csv(std::span<const ControlSample> samples) {
   return text;
 }
 
-std::string feedback_text(std::span<const FeedbackRun> feedbacks) {
-  std::string text =
-      "                             told - true   at rest - target              hand\n"
-      "feedback   settled       in  RMS     peak    RMS     peak    overshoot   jerk\n"
-      "                          s   mm       mm     mm       mm           mm  m/s^3\n";
+std::string feedback_text(const RunRecord& run, std::span<const FeedbackRun> feedbacks) {
+  const std::string_view unit = pulled_unit(run);
+  const auto heading = [](std::string_view first, std::string_view in, const std::array<std::string_view, 5>& of,
+                          std::string_view jerk) {
+    return fmt::format("{:<19} {:>6} {:>6} {:>7} {:>7} {:>7} {:>11} {:>7}\n", first, in, of[0], of[1], of[2], of[3],
+                       of[4], jerk);
+  };
+  std::string text = "                              told - true     at rest - target              hand\n";
+  text += heading("feedback   settled", "in", {"RMS", "peak", "RMS", "peak", "overshoot"}, "jerk");
+  text += heading("", "s", {unit, unit, unit, unit, unit}, "m/s^3");
   for (const FeedbackRun& f : feedbacks) {
     const PullMetrics& m = f.metrics;
     text += f.samples.empty() ? fmt::format("{:<10} knows no joint that turns\n", f.feedback)

@@ -28,6 +28,10 @@ std::string title_of_mode(const std::string& mode) { return mode == "paper" ? "p
 
 }  // namespace
 
+std::string_view pulled_unit(const RunRecord& run) {
+  return run.pulled_joint >= 0 && run.joint_is_length[static_cast<std::size_t>(run.pulled_joint)] ? "mm" : "mrad";
+}
+
 std::string error_table(const RunRecord& run, const Metrics& metrics) {
   const bool rival = !run.rival_mode.empty(), svd = metrics.svd_position_rms_mm > 0;
   const auto three = [&](std::string_view what, double own, double other, double baseline, int digits) {
@@ -73,8 +77,7 @@ std::string tracker_table(const RunRecord& run, const Metrics& metrics) {
 }
 
 std::string feedback_table(const RunRecord& run, std::span<const FeedbackRun> feedbacks) {
-  const bool is_length = run.pulled_joint >= 0 && run.joint_is_length[static_cast<std::size_t>(run.pulled_joint)];
-  const std::string unit = is_length ? ", mm" : ", mrad";
+  const std::string unit = fmt::format(", {}", pulled_unit(run));
   const auto line = [&](const std::string& what, const std::function<std::string(const PullMetrics&)>& cell) {
     std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", what);
     for (const FeedbackRun& f : feedbacks) text += "<td>" + (f.samples.empty() ? "&ndash;" : cell(f.metrics)) + "</td>";
