@@ -14,9 +14,9 @@ namespace articam::sim {
 
 /// What becomes of a frame on its way.
 struct FrameFate {
-  bool lost{};                         ///< never arrives; the next one's number tells
-  bool repeated{};                     ///< comes a second time, at once
-  std::chrono::milliseconds delay{0};  ///< on top of the usual latency; later frames wait behind it
+  bool lost{};                               ///< never arrives; the next one's number tells
+  bool repeated{};                           ///< comes a second time, at once
+  std::chrono::milliseconds delay{0};        ///< on top of the usual latency; later frames wait behind it
   std::chrono::milliseconds stamp_error{0};  ///< its stamp is so much later than the truth
 };
 
