@@ -16,7 +16,7 @@ constexpr double kLight_grey = 215, kDark_grey = 30, kWall_grey = 130;
 constexpr double kCardRatio = 1.4;  // a card's diameter by its marker's
 constexpr double kNearest_m = 0.01;
 constexpr int kLightBits = 14;
-constexpr double kInstantsPerPixel = 4;
+constexpr double kInstantsPerPixel = 2;
 constexpr int kMostInstants = 64;
 
 constexpr int rounded(double x) { return static_cast<int>(x + (x < 0 ? -0.5 : 0.5)); }
