@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include "core/math/so3.hpp"
 #include "core/math/tree_factor.hpp"
@@ -53,35 +55,66 @@ struct Normal {
   Status status;
 };
 
+namespace detail {
+
+/// H += P^-1,  pull = P^-1 e.  A row at a time: with its length known, its loop unrolls.
+template <class M, class S, std::size_t... kRow>
+[[gnu::always_inline]] inline void add_information(const typename Prior<M, S>::Square& information,
+                                                   const Vec<S, model::kDof<M>>& e, Normal<M, S>& normal,
+                                                   Vec<S, model::kDof<M>>& pull,
+                                                   std::index_sequence<kRow...>) noexcept {
+  S* entry = normal.H.entries.data();  // row by row, from the diagonal to the first column
+  const auto add_row = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) __attribute__((always_inline)) {
+    constexpr auto row = static_cast<Eigen::Index>(i);
+    *entry++ += information(row, row);
+    pull[row] = information(row, row) * e[row];
+    for (Eigen::Index j = row - 1; j >= 0; --j) {
+      const S common = information(j, row);
+      *entry++ += common;
+      pull[row] += common * e[j];
+      pull[j] += common * e[row];
+    }
+  };
+  (add_row(std::integral_constant<std::size_t, kRow>{}), ...);
+}
+
+/// What else H gets where the rotation is turned by 2 `half` from the prior's, in the first order: J^T P^-1 J - P^-1.
+template <class M, class S>
+void turn_information(const typename Prior<M, S>::Square& information, const Vec<S, 3>& half,
+                      Normal<M, S>& normal) noexcept {
+  Mat<S, 3, model::kDof<M>> common;  // of the rotation with all
+  for (int i = 0; i < model::kDof<M>; ++i) {
+    const Vec<S, 3> column = information.template block<3, 1>(3, i);
+    common.col(i) = column.cross(half);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vec<S, 3> row = common.template block<1, 3>(i, 3).transpose();
+    const Vec<S, 3> twice = row.cross(half);
+    for (int j = 0; j < 3; ++j) normal.H.at(3 + i, j) += common(i, j);
+    for (int j = 0; j <= i; ++j) normal.H.at(3 + i, 3 + j) += common(i, 3 + j) + common(j, 3 + i) + twice[j];
+    for (int k = 6; k < model::kDof<M>; ++k) normal.H.at(k, 3 + i) += common(i, k);
+  }
+}
+
+}  // namespace detail
+
 /// Adds the prior:  H += J^T P^-1 J,  b += J^T P^-1 e,  e = q_prior - q, which a step changes by -J step: J is the
-/// identity but for the rotation, where it is the inverse of exp's right Jacobian, to the second order of the turn.
-/// Turned by less than a milliradian, J is taken for the identity.
+/// identity but for the rotation, where it is the inverse of exp's right Jacobian, I + X/2 + X^2/12 of the turn. H says
+/// how long a step is, not where it ends: up to 0.1 rad its J is taken for the identity.
 template <class M, class S>
 void add_prior(const Prior<M, S>& prior, const model::Configuration<M, S>& q, Normal<M, S>& normal) noexcept {
   const Vec<S, model::kDof<M>> e = model::difference(q, prior.mean);
-  Vec<S, model::kDof<M>> pull = prior.information.lazyProduct(e);
+  Vec<S, model::kDof<M>> pull;
+  detail::add_information<M, S>(prior.information, e, normal, pull, std::make_index_sequence<model::kDof<M>>{});
   S cost{};
   for (int i = 0; i < model::kDof<M>; ++i) cost += e[i] * pull[i];
   normal.cost += S(0.5) * cost;
 
-  const auto add = [&](const typename Prior<M, S>::Square& information) {
-    S* entry = normal.H.entries.data();  // row by row, from the diagonal to the first column
-    for (int i = 0; i < model::kDof<M>; ++i) {
-      for (int j = i; j >= 0; --j) *entry++ += information(i, j);
-      normal.b[static_cast<std::size_t>(i)] += pull[i];
-    }
-  };
-  const Vec<S, 3> turn = e.template segment<3>(3);
-  if (turn.squaredNorm() < S(1e-6)) return add(prior.information);
-  const Mat<S, 3, 3> X = math::hat<S>(turn);
-  const Mat<S, 3, 3> J = Mat<S, 3, 3>::Identity() + S(0.5) * X + S(1.0 / 12) * X.lazyProduct(X);
-  typename Prior<M, S>::Square information = prior.information;
-  information.template middleCols<3>(3) = prior.information.template middleCols<3>(3).lazyProduct(J);
-  const Mat<S, 3, model::kDof<M>> rows = J.transpose().lazyProduct(information.template middleRows<3>(3));
-  information.template middleRows<3>(3) = rows;
-  const Vec<S, 3> torque = J.transpose().lazyProduct(pull.template segment<3>(3));
-  pull.template segment<3>(3) = torque;
-  add(information);
+  const Vec<S, 3> half = S(0.5) * e.template segment<3>(3), torque = pull.template segment<3>(3);
+  const Vec<S, 3> turned = half.cross(torque);
+  pull.template segment<3>(3) += S(1.0 / 3) * half.cross(turned) - turned;
+  for (int i = 0; i < model::kDof<M>; ++i) normal.b[static_cast<std::size_t>(i)] += pull[i];
+  if (half.squaredNorm() > S(0.05 * 0.05)) detail::turn_information<M, S>(prior.information, half, normal);
 }
 
 }  // namespace articam::tracker

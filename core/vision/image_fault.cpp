@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 namespace articam::vision {
 namespace {
@@ -36,7 +35,7 @@ int steepest_x4(const std::uint8_t* row, int width_px) noexcept {
   for (int u = 0; u + 8 <= width_px; ++u) {
     difference = 0;
     for (int k = 0; k < 4; ++k) difference += row[u + 4 + k] - row[u + k];
-    steepest = std::max(steepest, std::abs(difference));
+    steepest = std::max({steepest, difference, -difference});
   }
   return steepest;
 }

@@ -61,15 +61,16 @@ TEST_F(ReplayIdentify, FindsADisplacedMarkerAnUnknownDistanceAndAWrongFocalLengt
 
 TEST_F(ReplayIdentify, FindsTheSameFromWhatABoardRecorded) {
   ASSERT_EQ(test::draw(test::Orbit{cameras::kXtionVga, {0.003, 0, 0}}, folder_ / "frames"), "");
-  const auto board = test::run("cd " + folder_.string() +
-                               " && timeout 60 " ARTICAM_BIN
-                               "/articam-board --priority 0 --rate 30 --camera replay:frames --link stdout "
-                               "--record run.rec 2>log >board.csv");
+  const auto board =
+      test::run("cd " + folder_.string() +
+                " && timeout 60 " ARTICAM_BIN
+                "/articam-board --priority 0 --rate 30 --frames 200 --camera replay:frames --link stdout "
+                "--record run.rec 2>log >board.csv");
   ASSERT_EQ(board.exit_code, 0) << board.text;
-  const auto ended = test::run("cd " ARTICAM_SOURCE_DIR " && " ARTICAM_BIN
-                               "/articam-replay printer_drawer --recording " +
-                               in_folder("run.rec") + " -o " + in_folder("est.csv") + " --virtual marker_distance" +
-                               " --identify " + in_folder("found.yaml") + " --identify " + in_folder("found.urdf"));
+  const auto ended =
+      test::run("cd " ARTICAM_SOURCE_DIR " && " ARTICAM_BIN "/articam-replay printer_drawer --recording " +
+                in_folder("run.rec") + " -o " + in_folder("est.csv") + " --virtual marker_distance" + " --identify " +
+                in_folder("found.yaml") + " --identify " + in_folder("found.urdf"));
   EXPECT_EQ(ended.exit_code, 0) << ended.text;
   for (const char* word : {"marker_distance      120.0", "base_marker_1        +3.0", "displaced"})
     EXPECT_NE(ended.text.find(word), std::string::npos) << word << '\n' << ended.text;

@@ -87,7 +87,7 @@ TEST(MessageReader, RefusesWhatIsNoMessage) {
   EXPECT_EQ(body(field(4, 0, "\xff\xff\xff\xff\xff\x01")), Fault::malformed) << "more than 32 bits";
   EXPECT_EQ(body(field(4, 0, std::string(10, '\xff'))), Fault::malformed) << "a varint without end";
   EXPECT_EQ(body(field(8, 0, "\x06")), Fault::malformed) << "a status without name";
-  EXPECT_EQ(body(field(9, 0, "\x10")), Fault::malformed) << "a reason without name";
+  EXPECT_EQ(body(field(9, 0, "\x13")), Fault::malformed) << "a reason without name";
   EXPECT_EQ(body(field(15, 2, "\x01\x03")), Fault::malformed) << "an observability without name";
   EXPECT_EQ(body(field(12, 2,
                        "\x07"
