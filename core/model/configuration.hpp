@@ -41,6 +41,17 @@ Vec<S, kDof<M>> difference(const Configuration<M, S>& from, const Configuration<
   return step;
 }
 
+/// Each joint value, or the limit of the model that is nearest to it.
+template <class M, class S>
+Vec<S, kNumJoints<M>> within_limits(Vec<S, kNumJoints<M>> joints) noexcept {
+  for (Eigen::Index j = 0; j < kNumJoints<M>; ++j) {
+    const JointRow& row = kValueRows<M>[static_cast<std::size_t>(j)];
+    const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max);
+    joints[j] = joints[j] < low ? low : (joints[j] > high ? high : joints[j]);
+  }
+  return joints;
+}
+
 /// From (px, py, pz, qw, qx, qy, qz, q1, ...), the order of q0 and of estimates.csv. The quaternion is
 /// normalised. Errors  bad_argument when a number is not finite or the quaternion is zero.
 template <class M, class S>

@@ -20,13 +20,15 @@ inline constexpr S kLeaveOut{25};
 template <class S>
 inline constexpr S kStillPossible{10};
 
-/// What an explanation leaves out: marks, or what all shapes say (blur, glare or a print of another size spoil all).
+/// What an explanation leaves out: marks, what all shapes say (blur, glare or a print of another size spoil all), or
+/// the joints' limits (the object has another range than the model).
 struct LeftOut {
   static constexpr int kNobody = -1;
   std::array<int, 2> marks{kNobody, kNobody};
-  bool shapes{};
+  bool shapes{}, limits{};
 
   constexpr int num_marks() const noexcept { return (marks[0] >= 0 ? 1 : 0) + (marks[1] >= 0 ? 1 : 0); }
+  constexpr int count() const noexcept { return num_marks() + (shapes ? 1 : 0) + (limits ? 1 : 0); }
   template <class M, class S>
   constexpr void remove_from(Matches<M, S>& matches) const noexcept {
     for (const int mark : marks) {
@@ -40,7 +42,8 @@ struct LeftOut {
 /// A solution, and what was left out of it.
 template <class M, class S>
 struct Consensus {
-  Solution<M, S> solution{};  ///< its covariance holds every explanation that is still possible
+  Solution<M, S> solution{};  ///< its covariance holds every explanation that is still possible; where limits were left
+                              ///< out, its q is beyond one
   std::array<bool, static_cast<std::size_t>(model::kDof<M>)> disputed{};  ///< where those differ by 3 deviations
   LeftOut left_out{};
   bool contradictory{};  ///< the marks disagree, and leaving out two of them does not mend it
@@ -70,7 +73,7 @@ class Explanations {
  public:
   static constexpr std::size_t kSuspects = 6;  ///< marks that are left out singly
   static constexpr std::size_t kPaired = 3;    ///< of them, those with which a second one is
-  static constexpr std::size_t kMost = 2 + kSuspects + kPaired * (kSuspects - 1);  ///< solutions of a frame
+  static constexpr std::size_t kMost = 3 + kSuspects + kPaired * (kSuspects - 1);  ///< solutions of a frame
   using Configuration = model::Configuration<M, S>;
 
   Explanations(const Matches<M, S>& matches, const Prior<M, S>& prior, const Configuration& start,
@@ -81,8 +84,9 @@ class Explanations {
 
   bool all_agree() const noexcept { return all_.empty() || all_[0].excess <= kLeaveOut<S>; }
 
-  /// Without the shapes, without each of the marks that fit worst, then without two.
+  /// Without limits that press, without the shapes, without each of the marks that fit worst, then without two.
   void leave_out() noexcept {
+    if (best_.beyond_limit) consider({.limits = true});
     consider({.shapes = true});
     const auto suspects = find_suspects();
     const std::size_t singles = all_.size();
@@ -104,6 +108,7 @@ class Explanations {
     if (best_.status != Status::ok) return result;
     const Explanation& best = *std::min_element(all_.begin(), all_.end(), cheaper);
     result.left_out = best.left_out;
+    result.solution.beyond_limit |= best.left_out.limits;
     result.contradictory = best.excess > kLeaveOut<S>;
     for (const Explanation& other : all_) {
       if (&other != &best && other.cost <= best.cost + kStillPossible<S>) result.widen(other.q);
@@ -128,13 +133,13 @@ class Explanations {
 
   void consider(const LeftOut& left_out) noexcept {
     const Matches<M, S> rest = without(left_out);
-    const Solution<M, S> solution = solve(rest, prior_, start_, max_iterations_);
+    const Solution<M, S> solution = solve(rest, prior_, start_, max_iterations_, !left_out.limits);
     if (solution.status != Status::ok) {
       if (all_.empty()) best_ = solution;
       return;
     }
     const S excess = S(2) * solution.cost - static_cast<S>(num_equations<M, S>(rest));
-    const S price = kLeaveOut<S> * static_cast<S>(left_out.num_marks() + (left_out.shapes ? 1 : 0));
+    const S price = kLeaveOut<S> * static_cast<S>(left_out.count());
     const Explanation found{left_out, solution.q, excess, excess + price};
     if (all_.empty() || found.cost < std::min_element(all_.begin(), all_.end(), cheaper)->cost) best_ = solution;
     (void)all_.push_back(found);
@@ -169,7 +174,8 @@ class Explanations {
 /// Solves with all matches, and where they disagree among themselves or with the prior by more than it costs to leave
 /// something out, tries that, too. An explanation costs
 ///
-///     2 (measurements + prior) - equations + kLeaveOut for each mark, and for the shapes, that it leaves out
+///     2 (measurements + prior) - equations + kLeaveOut for each mark, for the shapes, for the limits that it leaves
+///     out
 ///
 /// of which the first two cancel in the mean where it is true; the cheapest is taken, and `matches` loses what it
 /// leaves out. The prior and the shapes bear witness: a mark can be found to lie where the centres are not redundant.

@@ -13,7 +13,7 @@ namespace articam::tracker {
 /// What one frame has shown.
 struct Evidence {
   int matched{};     ///< good matches
-  bool complete{};   ///< every marker of the model is among them
+  bool complete{};   ///< to every marker of the model a mark was given
   bool redundant{};  ///< more equations than degrees of freedom that they observe
   bool converged{};
   bool agrees{};         ///< residual below Options::max_rms_px
@@ -44,7 +44,8 @@ class Judge {
 
   Verdict decide(const Evidence& evidence, Timestamp t) noexcept {
     if (!any_frame_) any_frame_ = true, t_begin_ = t;
-    const bool misfit = evidence.complete && evidence.converged && !evidence.agrees;
+    const bool explained = evidence.agrees && evidence.redundant && !evidence.contradictory;
+    const bool misfit = evidence.complete && evidence.converged && !explained;
     misfits_ = misfit ? std::min(misfits_ + 1, kMisfitsToFault) : 0;
     presses_ = evidence.beyond_limit ? std::min(presses_ + 1, kMisfitsToFault) : 0;
     Verdict verdict = consider(evidence, t);
@@ -66,7 +67,7 @@ class Judge {
   }
 
  private:
-  /// All markers matched and yet not agreeing in so many frames in a row: the model or the camera file is another's.
+  /// All markers seen and yet not agreeing in so many frames in a row: the model or the camera file is another's.
   /// Or a joint pressed against its limit for as long: the model has another range.
   static constexpr int kMisfitsToFault = 30;
 

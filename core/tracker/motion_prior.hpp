@@ -129,14 +129,16 @@ class MotionPrior {
     }
   }
 
-  /// A prediction does not carry a joint beyond its limits.
+  /// A prediction does not carry a joint beyond its limits. Where one was seen to be beyond, it is known no better than
+  /// by how far.
   void hold_limits() noexcept {
+    const auto joints = model::within_limits<M, S>(motion_.q.joints);
     for (int j = 0; j < model::kNumJoints<M>; ++j) {
-      const auto& row = model::kValueRows<M>[static_cast<std::size_t>(j)];
-      const S low = static_cast<S>(row.q_min), high = static_cast<S>(row.q_max), value = motion_.q.joints[j];
-      if (value >= low && value <= high) continue;
-      motion_.q.joints[j] = value < low ? low : high;
+      const S beyond = motion_.q.joints[j] - joints[j];
+      if (beyond == S(0)) continue;
+      motion_.q.joints[j] = joints[j];
       motion_.qdot[6 + j] = S(0);
+      motion_.P_qq(6 + j, 6 + j) += beyond * beyond;
     }
   }
 

@@ -14,7 +14,7 @@ template <class Model, class Scalar>
 void Tracker<Model, Scalar>::weigh() noexcept {
   const Solution<Model, Scalar>& solution = found_.solution;
   evidence_.matched = count<Model, Scalar>(matches_);
-  evidence_.complete = evidence_.matched == model::kNumMarkers<Model>;
+  evidence_.complete = count<Model, Scalar>(measured_) == model::kNumMarkers<Model>;
   evidence_.outlier = found_.left_out.num_marks() > 0;
   evidence_.contradictory = found_.contradictory;
   evidence_.ambiguous = rival_.stands();
@@ -83,6 +83,7 @@ auto Tracker<Model, Scalar>::judge(Timestamp t) noexcept -> EstimateType {
     if (verdict.status != TrackingStatus::coasting) motion_.halt();
   }
   estimate.q = motion_.q();
+  estimate.q.joints = model::within_limits<Model, Scalar>(estimate.q.joints);
   estimate.qdot = paper && moved ? paper_rates_ : motion_.rates();
   const bool lost = verdict.status == TrackingStatus::lost || verdict.status == TrackingStatus::fault;
   estimate.valid = (moved && !lost) || verdict.status == TrackingStatus::coasting;

@@ -51,11 +51,12 @@ bool is_beyond_limit(const Normal<M, S>& normal, const Mat<S, model::kDof<M>, mo
 }
 
 /// Minimises  1/2 sum rho(|e_i|^2 / sigma_i^2) + 1/2 |q - q_prior|^2_P  by damped steps, each kept only if it does not
-/// raise the cost, and none takes a joint beyond its limits. The covariance does not count on those: that of the marks
-/// and the prior alone. Errors  behind_camera or ill_conditioned in Solution::status; q is then the start.
+/// raise the cost, and none takes a joint beyond its limits if it is to stay `within_limits`. The covariance does not
+/// count on those: that of the marks and the prior alone.
+/// Errors  behind_camera or ill_conditioned in Solution::status; q is then the start.
 template <class M, class S>
 Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, const model::Configuration<M, S>& start,
-                     int max_iterations) noexcept {
+                     int max_iterations, bool within_limits = true) noexcept {
   // In standard deviations: such a step is lost in the noise. In float, rounding of s alone makes 6e-3 of 0.005 px.
   constexpr S kStill = sizeof(S) == 4 ? S(3e-2) : S(1e-3);
   // Rounding of the cost: relative where it is large, and near the optimum what the rounding of s makes of it.
@@ -73,7 +74,9 @@ Solution<M, S> solve(const Matches<M, S>& matches, const Prior<M, S>& prior, con
     ++solution.iterations;
     Vec<S, model::kDof<M>> step;
     bool better = false;
-    if (limited_step<M, S>(normal, damping, solution.q, step, held) == Status::ok) {
+    const Status found = within_limits ? limited_step<M, S>(normal, damping, solution.q, step, held)
+                                       : damped_step<M, S>(normal, damping, step);
+    if (found == Status::ok) {
       // step^T H step; a step that damping holds back tells nothing
       solution.converged = damping <= S(1e-3) && decrement<M, S>(normal, step) < kStill * kStill;
       const auto q = model::integrate<M, S>(solution.q, step);

@@ -58,8 +58,8 @@ inline FaultyPaper closed_drawer_scenario() {
   return scenario;
 }
 
-/// A drawer that goes in by 1 cm more than the model says; it does so at 6.8 s. What the marks then say of it is no
-/// value that the model has.
+/// A drawer that goes in by 1 cm more than the model says; it does so at 6.8 s. It is held at the limit and told, at
+/// first as tracking.
 inline FaultyPaper other_range_scenario() {
   using enum tracker::TrackingStatus;
   using enum tracker::Reason;
@@ -75,8 +75,7 @@ inline FaultyPaper other_range_scenario() {
   return unattended(faulty_paper("other_range", "a drawer goes in 1 cm farther than the model's; no robot", {},
                                  {{kFaultFrom_s, kBeyond_s + 0.1, tracking, none},
                                   {kBeyond_s, 8, tracking, joint_limit},
-                                  {kBeyond_s, kFaultyEnd_s, degraded, joint_limit},
-                                  {kBeyond_s, kFaultyEnd_s, degraded, weak_joint}}),
+                                  {kBeyond_s, kFaultyEnd_s, degraded, joint_limit}}),
                     motion);
 }
 
@@ -95,6 +94,7 @@ inline std::vector<FaultyPaper> object_faults() {
                    {{kFrom_s, kFrom_s + 0.5, degraded, few_markers},
                     {kFrom_s, kFrom_s + 0.5, degraded, weak_joint},
                     {kFrom_s + 0.45, kTo_s, lost, few_markers},
+                    {kFrom_s + 0.9, kTo_s, fault, large_residual},
                     {kTo_s, kEnd_s, tracking, none}}),
       far_and_flat_scenario(),
       end_on_scenario(),

@@ -64,6 +64,21 @@ TEST_F(ConsensusTest, BlamesNobodyWhenAllAgree) {
   }
 }
 
+TEST_F(ConsensusTest, LeavesOutALimitThatTheMarksContradictRatherThanThem) {
+  Configuration beyond = truth_, at_limit = truth_;
+  at_limit.joints[0] = M::kJoints[0].q_min;
+  for (const double by_m : {0.002, 0.005, 0.01}) {
+    beyond.joints[0] = M::kJoints[0].q_min - by_m;
+    auto matches = test::observe<M, double>(beyond, tracker::FeatureKind::imaged_circle, kNoise_px, &random_);
+    auto prior = known_to(0.02, at_limit);
+    const auto found = tracker::solve_with_consensus(matches, prior, at_limit, kIterations);
+    EXPECT_TRUE(found.left_out.limits && found.solution.beyond_limit) << by_m;
+    EXPECT_EQ(found.left_out.num_marks(), 0);
+    EXPECT_NEAR(found.solution.q.joints[0], beyond.joints[0], 4 * std::sqrt(found.solution.covariance(6, 6)));
+    EXPECT_LT((found.solution.q.T_cam_obj.t - truth_.T_cam_obj.t).norm(), 0.001);
+  }
+}
+
 TEST_F(ConsensusTest, LeavesOutTwoMarkersThatChangedPlaces) {
   for (int i = 0; i < 20; ++i) {
     auto matches = observe();

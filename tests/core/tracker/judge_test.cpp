@@ -121,6 +121,16 @@ TEST(Judge, NeverGivesAResidualThatDoesNotFitForAnEstimateAndCallsALastingOneAFa
   EXPECT_EQ(judge.decide(kGood, at(2)).status, tracking);
 }
 
+TEST(Judge, CallsItAFaultWhereAllMarkersAreSeenAndTooManyHadToBeLeftOutForLong) {
+  Judge judge{{}};
+  (void)judge.decide(kGood, at(0));
+  Evidence few = kGood;
+  few.matched = 4, few.redundant = false, few.weak = true;
+  for (int i = 1; i < 30; ++i) EXPECT_NE(judge.decide(few, at(0.03 * i)).status, fault) << i;
+  EXPECT_EQ(judge.decide(few, at(0.9)).status, fault);
+  EXPECT_EQ(judge.decide(kGood, at(1)).status, tracking);
+}
+
 TEST(Judge, CallsClutterInPlaceOfAnAbsentObjectNoFault) {
   Judge judge{{}};
   (void)judge.decide(kGood, at(0));
