@@ -18,9 +18,7 @@ struct Harmonic {
 struct RayOffsets {
   int rays;
   PerRay rho_q8;
-  Harmonic seen_q16;          ///< the first harmonic of rho
   Harmonic light_q16;         ///< the shift by the light that the rays show, samples
-  Harmonic beside_q16;        ///< the part of it that is not light, but what alone the last sample shows besides
   std::int64_t per_gain_q16;  ///< samples
   std::int64_t shared_q16;    ///< squared correlation of a shift and a gain, below 1: how far rays tell them apart
 
