@@ -30,7 +30,7 @@ struct Options {
   bool feed_forward{false};          ///< s_star_dot of (5); the paper switches it off as too noisy
   double feed_forward_time_s{0.05};  ///< time constant of its low pass, first order
 
-  double floor_px{0.002};    ///< least standard deviation of a detection; what the model misses beyond it, frames teach
+  double floor_px{0.001};    ///< added to each detection's noise: the errors that stay; of what is beyond, frames teach
   double max_rms_px{1.5};    ///< a larger residual is no estimate
   double coast_time_s{0.5};  ///< a prediction is worth this long; then lost
   double max_gap_s{1.0};     ///< a longer gap between frames is not integrated

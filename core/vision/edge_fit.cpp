@@ -38,38 +38,62 @@ struct Edge {
   std::int64_t doubted_q32;  // variance of the centre that is left by not knowing how even the light is
 };
 
-// The gain by which a mark's neighbours look like light. Its border and its hole's end a tenth of a radius beyond the
-// window's reach at least, and blur brings in what lies there: 0.0038 where that is as far as the edge is wide, and
-// with the square of the nearness, 0.016 at most; more for flat marks, whose border perspective makes lopsided. Found
-// by measuring rendered rings of 12 to 72 px, tilted by up to 60 degrees, in clutter.
-std::int64_t leak_q16(const Ellipse& e, const Pass& pass, std::int64_t width_px_q16) noexcept {
-  constexpr std::int64_t kLeak_q16 = 38 * kOne_q16 / 10000, kMost_q16 = 16 * kOne_q16 / 1000,
-                         kMostTimes_q16 = 16 * kOne_q16;
-  static_assert(kLeak_q16 * (square(kMostTimes_q16 * 16) >> 16) < std::int64_t{1} << 62, "products fit");
-  const std::int64_t minor = minor_q16(e), flat_q16 = std::min((pass.radius_q16 << kQ16) / minor, kMostTimes_q16);
+// What light does to the place of an edge, in samples.
+struct Light {
+  Harmonic shift_q16;
+  std::int64_t doubted_q32;  // the variance that is left
+};
+
+// How near a mark's neighbours are to its window, by the width of the edge, which is how far blur brings them in. Its
+// border and its hole's end a tenth of a radius beyond the window's reach at least; a flat mark's nearer.
+std::int64_t nearness_q16(const Pass& pass, std::int64_t flat_q16, std::int64_t width_q16) noexcept {
+  const std::int64_t whole_q16 = whole_width_q16(width_q16, pass.half_window_q16, pass.reach_q16);
   const std::int64_t beyond_q16 = pass.reach_q16 + kOne_q16 / 10 - pass.half_window_q16;
-  const std::int64_t near_q16 = std::min((width_px_q16 << kQ16) / (beyond_q16 * minor >> kQ16), kMostTimes_q16);
-  return std::min(kLeak_q16 * (square(flat_q16 * near_q16 >> kQ16) >> kQ16) >> kQ16, kMost_q16);
+  return std::min<std::int64_t>(integer_sqrt(whole_q16 << kQ16) * flat_q16 / beyond_q16, 16 * kOne_q16);
 }
 
-// The part of the shift that the rays show that is the light's. Where its square is p, and noise and neighbours alone
-// make it v in each coordinate, the odds are (p / 6v)^3. `doubted_q32`: v where it is believed, and where that is
-// uncertain the distance of both answers.
-Harmonic believed_q16(const RayOffsets& offsets, std::int64_t scatter_q16, std::int64_t leak_q16,
-                      std::int64_t& doubted_q32) noexcept {
-  const Harmonic& light = offsets.light_q16;
-  const std::int64_t apart_q16 = kOne_q16 - offsets.shared_q16;
-  const std::int64_t noise_q32 = (scatter_q16 << 17) / offsets.rays * offsets.shared_q16 / apart_q16;
+// The gain up to which light is not told from a mark's neighbours, nor from a border that perspective makes lopsided,
+// which it does to large marks. Found by measuring rendered rings of 12 to 72 px at f = 525 px, tilted by up to 60
+// degrees, under blur, in clutter and under light of 8:1.
+std::int64_t least_gain_q16(std::int64_t near_q16, std::int64_t major_q16) noexcept {
+  constexpr std::int64_t kNeighbours_q16 = 94 * kOne_q16 / 10000, kLopsided_q24 = 19 * kOne_q16 * 256 / 10000;
+  const std::int64_t edge_q16 = std::min<std::int64_t>(near_q16, 3 * kOne_q16 / 10);
+  const std::int64_t lopsided_q16 =
+      std::min((major_q16 * kLopsided_q24 >> 24) * edge_q16 >> kQ16, std::int64_t{kOne_q16});
+  return integer_sqrt(square(kNeighbours_q16 * near_q16 >> kQ16) + square(lopsided_q16));
+}
+
+// The part of the shift that the rays show that is the light's. Neighbours show in the last sample most; what it shows
+// of them is taken off as many times as all samples together have it. With p the square of what is left, and v what
+// noise and the least gain make of it, the odds for light are (p / v)^3. What stays unknown is the noise, where light
+// is believed, and the distance of both answers, where belief is uncertain. Found by measuring, as the least gain.
+Light believed(const RayOffsets& offsets, const Pass& pass, const Ellipse& e, std::int64_t scatter_q16,
+               std::int64_t width_q16) noexcept {
+  const std::int64_t flat_q16 = std::min((pass.radius_q16 << kQ16) / minor_q16(e), 16 * std::int64_t{kOne_q16});
+  const std::int64_t near_q16 = nearness_q16(pass, flat_q16, width_q16);
+  constexpr std::int64_t kMostTimes_q16 = 7 * kOne_q16 / 2;
+  const std::int64_t times_q16 = std::clamp<std::int64_t>(2 * near_q16 - 6 * kOne_q16 / 10, 0, kMostTimes_q16);
+  const Harmonic light{offsets.light_q16.a - (offsets.beside_q16.a * times_q16 >> kQ16),
+                       offsets.light_q16.b - (offsets.beside_q16.b * times_q16 >> kQ16)};
+
+  // Four times the last sample is as noisy as all of them.
+  const std::int64_t more_q16 = kOne_q16 + (square(times_q16 / 4) >> kQ16), apart_q16 = kOne_q16 - offsets.shared_q16;
+  const std::int64_t noise_q32 =
+      ((scatter_q16 << 17) / offsets.rays * offsets.shared_q16 / apart_q16) * more_q16 >> kQ16;
+  const std::int64_t least_q16 = least_gain_q16(near_q16, pass.radius_q16 * flat_q16 >> kQ16);
   constexpr std::int64_t kMost_q32 = std::int64_t{16} << 32, kMost_q8 = 16 << 8;  // four samples, as rays' offsets
-  static_assert(6 * kMost_q32 < std::int64_t{1} << 54 && kMost_q8 * kMost_q8 * kMost_q8 < std::int64_t{1} << 40);
-  const std::int64_t v_q32 = std::min(noise_q32 + square(leak_q16 * offsets.per_gain_q16 >> kQ16), kMost_q32);
+  // Scatter is below 24 with at least 16 rays, shared / apart below 64, more below 2; what is left of light below 18.
+  static_assert((std::int64_t{24} << 33) / 16 <= std::int64_t{1} << 62 >> 16 >> 6 >> 1, "noise fits");
+  static_assert((2 * square(18 * kOne_q16) >> kQ16) * (kOne_q16 / 4) * 7 < std::int64_t{1} << 62, "doubt fits");
+  static_assert(kMost_q8 * kMost_q8 * kMost_q8 < std::int64_t{1} << 40);
+  const std::int64_t v_q32 = std::min(noise_q32 + square(least_q16 * offsets.per_gain_q16 >> kQ16), kMost_q32);
   const std::int64_t p_q32 = square(light.a) + square(light.b);
-  const std::int64_t against_q8 = std::min((6 * v_q32 << 8) / std::max<std::int64_t>(p_q32, 1), kMost_q8);
+  const std::int64_t against_q8 = std::min((v_q32 << 8) / std::max<std::int64_t>(p_q32, 1), kMost_q8);
   const std::int64_t cube_q24 = against_q8 * against_q8 * against_q8;
   const std::int64_t belief_q16 = (std::int64_t{1} << (24 + kQ16)) / ((1 << 24) + cube_q24);
   const std::int64_t unsure_q16 = belief_q16 * (kOne_q16 - belief_q16) >> kQ16;
-  doubted_q32 = (v_q32 >> kQ16) * belief_q16 + (p_q32 >> (kQ16 + 1)) * unsure_q16;
-  return {light.a * belief_q16 >> kQ16, light.b * belief_q16 >> kQ16};
+  return {{light.a * belief_q16 >> kQ16, light.b * belief_q16 >> kQ16},
+          (std::min(noise_q32, kMost_q32) >> kQ16) * belief_q16 + (p_q32 >> kQ16) * unsure_q16 * 7 / 3};
 }
 
 // One step: reads the rays, moves the ellipse. False where there is no edge all round.
@@ -87,24 +111,21 @@ bool improve(const ImageView& image, const Pass& pass, EdgeFit& fit, Edge& edge)
 
   const std::int64_t step_q16 = 2 * pass.half_window_q16 / (kSamples - 1);
   const auto radii = [step_q16](std::int64_t in_samples) { return in_samples * step_q16 >> kQ16; };
-  constexpr std::int64_t kOfPixel_q16 = kOne_q16 / 12;
-  const std::int64_t width_px_q16 =
-      radii(integer_sqrt((profile.variance_q16 + kOfPixel_q16) << kQ16)) * pass.radius_q16 >> kQ16;
   RayOffsets offsets;
   find_offsets(samples, profile, crosses, pass.half_window_q16, offsets);
 
-  const Harmonic seen = offsets.harmonic_q16(1), shape = offsets.harmonic_q16(2);
+  const Harmonic seen = offsets.seen_q16, shape = offsets.harmonic_q16(2);
   const std::int64_t scatter_q16 = offsets.scatter_q16(seen, shape);
-  std::int64_t doubted_q32;
-  const Harmonic light = believed_q16(offsets, scatter_q16, leak_q16(fit.ellipse, pass, width_px_q16), doubted_q32);
-  const Harmonic centre{seen.a + light.a, seen.b + light.b};
+  const std::int64_t width_q16 = radii(radii(profile.variance_q16));
+  const Light light = believed(offsets, pass, fit.ellipse, scatter_q16, width_q16);
+  edge = {width_q16, radii(radii(light.doubted_q32))};
+  const Harmonic centre{seen.a + light.shift_q16.a, seen.b + light.shift_q16.b};
   if (pass.judged) {
     fit.roughness_q16 = static_cast<std::int32_t>(radii(integer_sqrt(scatter_q16 << kQ16)));
     const Harmonic third = offsets.harmonic_q16(3), fourth = offsets.harmonic_q16(4);
     fit.corners_q16 = static_cast<std::int32_t>(
         radii(integer_sqrt(square(third.a) + square(third.b) + square(fourth.a) + square(fourth.b))));
   }
-  edge = {radii(radii(profile.variance_q16)), radii(radii(doubted_q32))};
   Ellipse& e = fit.ellipse;
   e.u_q16 += static_cast<std::int32_t>(e.m00_q16 * radii(centre.a) >> kQ16);
   e.v_q16 += static_cast<std::int32_t>((e.m10_q16 * radii(centre.a) + e.m11_q16 * radii(centre.b)) >> kQ16);
@@ -120,15 +141,15 @@ std::uint32_t to_variance_q24(std::int64_t variance_q24) noexcept {
 // centre's variance is, by the distance of neighbours along the edge; less where the edge is sharp. Measured, 12 to
 // 72 px, blur 0.7 to 2 px.
 std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays, std::int64_t width_px_q16) noexcept {
-  constexpr std::int64_t kTurn_q16 = 411775, kApart_q16 = 3 * kOne_q16 / 2, kFar_q16 = 11 * kOne_q16 / 10;
+  constexpr std::int64_t kTurn_q16 = 411775, kApart_q16 = 31 * kOne_q16 / 20, kFar_q16 = 21 * kOne_q16 / 20;
   const std::int64_t pitch_q16 = integer_sqrt(mean_square_q16 << kQ16) * kTurn_q16 / rays >> kQ16;
-  return kFar_q16 + std::clamp<std::int64_t>(kApart_q16 - pitch_q16, 0, 3 * width_px_q16 / 8);
+  return kFar_q16 + std::clamp<std::int64_t>(kApart_q16 - pitch_q16, 0, width_px_q16 / 3);
 }
 
 // centre = M c, and each of c's variances is 2 / rays of the scatter; the mean of those of u and v. A semi-axis is
-// M (1 + s + p): three halves of it, and a share of what undo_blur() added, which the window's narrowness limits.
+// M (1 + s + p): three halves of it, and a third of what undo_blur() adds, which the window's narrowness limits.
 void put_variances(const Edge& edge, const Pass& pass, EdgeFit& fit) noexcept {
-  constexpr std::int64_t kGrid_q24 = 68;  // 0.002 px: what the pixel grid does to edges without any noise
+  constexpr std::int64_t kGrid_q24 = 4;  // 0.0005 px: what the pixel grid does to edges without any noise
   const std::int64_t square_q16 = mean_square_q16(fit.ellipse);
   const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * pass.radius_q16 >> kQ16;
   const std::int64_t shared_q16 =
@@ -136,9 +157,9 @@ void put_variances(const Edge& edge, const Pass& pass, EdgeFit& fit) noexcept {
   const std::int64_t centre_q24 =
       (shared_q16 * (square(fit.roughness_q16) >> 8) >> 16) + ((square_q16 >> 8) * edge.doubted_q32 >> 16) + kGrid_q24;
   fit.centre_variance_q24 = to_variance_q24(centre_q24);
-  const std::int64_t undone_q16 = edge.width_q16 / 2;  // radii
-  const std::int64_t bias_q24 = (square_q16 * undone_q16 >> kQ16) * undone_q16 >> 8;
-  fit.axis_variance_q24 = to_variance_q24(centre_q24 * 3 / 2 + bias_q24 / 4);
+  const std::int64_t bias_q16 = edge.width_q16 / 6;  // radii
+  const std::int64_t bias_q24 = (square_q16 * bias_q16 >> kQ16) * bias_q16 >> 8;
+  fit.axis_variance_q24 = to_variance_q24(centre_q24 * 3 / 2 + bias_q24);
   fit.blur_q8 = static_cast<std::uint16_t>(std::min<std::int64_t>(blur_q16 >> 8, 0xffff));
   if (fit.blur_q8 > kSharp_q8) fit.flaws |= kBlurred;
 }

@@ -29,8 +29,9 @@ struct EdgeFit {
 /// unevenly brightens a point of ray k by a factor 1 + g_k r_j, g = (cos t, sin t) . a, so that a ray which meets the
 /// edge at rho reads
 ///     I_kj = (1 + g_k r_j) P_j - rho_k D_j;
-/// its products with r P and D give both. A light that is no stronger than noise and neighbours make it seem is not
-/// believed: rays tell a gain and a shift of the centre apart only by what the window shows beside the edge.
+/// its products with r P and D |D| give both. Rays tell a gain and a shift of the centre apart only by what the window
+/// shows beside the edge. So what neighbours show there is taken off, and a light that is no stronger than noise and
+/// what neighbours may leave is not believed.
 /// The mean of the profile is the size, the first harmonic of rho the centre, the second the shape:
 ///     rho(t) = s + (cos t, sin t) . c + p cos 2t + q sin 2t,  centre += M c,  M <- M (1 + s + |p q; q -p|).
 ///

@@ -42,13 +42,13 @@ void put_shares(std::int32_t whole, const std::array<std::int32_t, kMaxRays>& pa
 }
 static_assert(kLimit_q8 < 1 << 10, "with fractions of 8 bits or more, a share times 2^26 fits");
 
-// The derivative of the profile where it is steep. Farther out it tells little of the edge, and what lies there of
-// others.
+// The derivative of the profile, weighted by its own steepness. Farther out it tells little of the edge, and what lies
+// there of others. A threshold in its place would take samples in and out while the ellipse moves by hundredths of px.
 PerSample steep_part(const EdgeProfile& profile) noexcept {
   PerSample filter = profile.slope_q4;
-  int steepest = 0;
+  int steepest = 1;
   for (const int slope : filter) steepest = std::max(steepest, std::abs(slope));
-  for (std::int16_t& slope : filter) slope = 5 * std::abs(slope) < 2 * steepest ? std::int16_t{0} : slope;
+  for (std::int16_t& slope : filter) slope = static_cast<std::int16_t>(slope * std::abs(slope) / steepest);
   return filter;
 }
 
@@ -91,23 +91,36 @@ void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const P
     with_slope[k] = dot(samples.grey_q4[k], F);
   }
   out.rays = samples.rays;
-  PerRay dark_q12;  // brightness differs by a quarter at most
-  put_shares(PG, with_lit, samples.rays, GG, 12, dark_q12);
+  PerRay dark_q11;  // brightness differs by a half at most
+  put_shares(PG, with_lit, samples.rays, GG, 11, dark_q11);
   put_shares(PF, with_slope, samples.rays, DF, 8, out.rho_q8);
   for (std::size_t k = 0; k < rays; ++k) out.rho_q8[k] = static_cast<std::int16_t>(out.rho_q8[k] & crosses[k]);
 
   // For the first harmonics: dark = shift DG / GG - gain, rho = shift - gain GF / DF.
-  const Harmonic dark_q20 = harmonic_q16(dark_q12, samples.rays, 1), rho = out.harmonic_q16(1);
+  const Harmonic dark_q19 = harmonic_q16(dark_q11, samples.rays, 1), rho = out.seen_q16 = out.harmonic_q16(1);
   const std::int64_t DG_GG_q16 = (std::int64_t{dot(D, G)} << 16) / GG;
   out.per_gain_q16 = (std::int64_t{dot(G, F)} << 16) / DF;
   constexpr std::int64_t kMostShared_q16 = kOne_q16 - kOne_q16 / 64;
   out.shared_q16 = std::clamp<std::int64_t>(DG_GG_q16 * out.per_gain_q16 >> 16, 0, kMostShared_q16);
-  const auto light_q16 = [&](std::int64_t dark, std::int64_t slope) {
-    constexpr std::int64_t kLimit_q16 = kLimit_q8 * 256;
-    const std::int64_t gain_q16 = (((slope * DG_GG_q16 >> 16) - (dark >> 4)) << 16) / (kOne_q16 - out.shared_q16);
-    return std::clamp(gain_q16 * out.per_gain_q16 >> 16, -kLimit_q16, kLimit_q16);
+
+  PerRay last_q2;
+  static_assert(255 * 4 <= kLimit_q8, "the range of grey levels fits");
+  for (std::size_t k = 0; k < rays; ++k)
+    last_q2[k] = static_cast<std::int16_t>((samples.grey_q4[k].back() - P.back()) >> 2);
+  const Harmonic last_q10 = harmonic_q16(last_q2, samples.rays, 1);
+  const auto put = [&](std::int64_t dark, std::int64_t shift, std::int64_t last, std::int64_t& light,
+                       std::int64_t& beside) {
+    constexpr std::int64_t kLimit_q16 = kLimit_q8 * 256, kMostRest_q10 = 1 << 20;
+    const std::int64_t gain_q16 = (((shift * DG_GG_q16 >> 16) - (dark >> 3)) << 16) / (kOne_q16 - out.shared_q16);
+    light = std::clamp(gain_q16 * out.per_gain_q16 >> 16, -kLimit_q16, kLimit_q16);
+    // What the last sample shows beside light; of a shift it shows nothing. As a gain it is its share of G.G.
+    const std::int64_t rest_q10 = last - (gain_q16 * G.back() >> 10);
+    const std::int64_t rest_gain_q16 =
+        (std::clamp(rest_q10, -kMostRest_q10, kMostRest_q10) * G.back() * (1 << 10)) / GG;
+    beside = std::clamp(rest_gain_q16 * out.per_gain_q16 >> 16, -kLimit_q16, kLimit_q16);
   };
-  out.light_q16 = {light_q16(dark_q20.a, rho.a), light_q16(dark_q20.b, rho.b)};
+  put(dark_q19.a, rho.a, last_q10.a, out.light_q16.a, out.beside_q16.a);
+  put(dark_q19.b, rho.b, last_q10.b, out.light_q16.b, out.beside_q16.b);
 }
 
 }  // namespace articam::vision

@@ -18,7 +18,9 @@ struct Harmonic {
 struct RayOffsets {
   int rays;
   PerRay rho_q8;
+  Harmonic seen_q16;          ///< the first harmonic of rho
   Harmonic light_q16;         ///< the shift by the light that the rays show, samples
+  Harmonic beside_q16;        ///< and by what their last sample alone shows beside that: neighbours, mostly
   std::int64_t per_gain_q16;  ///< samples
   std::int64_t shared_q16;    ///< squared correlation of a shift and a gain, below 1: how far rays tell them apart
 

@@ -94,6 +94,7 @@ inline std::vector<FaultyPaper> object_faults() {
                    {{kFrom_s, kFrom_s + 0.5, degraded, few_markers},
                     {kFrom_s, kFrom_s + 0.5, degraded, weak_joint},
                     {kFrom_s + 0.45, kTo_s, lost, few_markers},
+                    {kFrom_s + 0.45, kTo_s, lost, not_converged},  // the search takes more than a frame
                     {kFrom_s + 0.9, kTo_s, fault, large_residual},
                     {kTo_s, kEnd_s, tracking, none}}),
       far_and_flat_scenario(),

@@ -32,7 +32,7 @@ bool is_wholly_inside(const vision::PlaneEllipse<double>& edge, const CameraPara
 }  // namespace
 
 EdgeNoise edge_noise(double radius_px, double noise_grey) noexcept {
-  constexpr double kGrid_px = 0.0025, kPerGrey = 0.0064, kBias_px2 = 0.25;
+  constexpr double kGrid_px = 0.001, kPerGrey = 0.0064, kBias_px2 = 0.13;
   const double centre_px2 = kGrid_px * kGrid_px + kPerGrey * kPerGrey * noise_grey * noise_grey / radius_px;
   const double bias_px = kBias_px2 / radius_px;
   return {centre_px2, 1.5 * centre_px2, 1.5 * centre_px2 + bias_px * bias_px};

@@ -160,7 +160,7 @@ TEST_F(Cube, IsTrackedOnRealFramesWithEveryDotWhereAnIndependentMethodFindsIt) {
     tracked += estimate.status == TrackingStatus::tracking ? 1 : 0;
     most_matched = std::max(most_matched, estimate.matched);
     EXPECT_GE(estimate.matched, static_cast<int>(kNumFront)) << "frame " << k;
-    EXPECT_LT(estimate.rms_px, 0.3) << "frame " << k;  // where a dot turns up, 3 px across, by half a pixel; else 0.15
+    EXPECT_LT(estimate.rms_px, 0.2) << "frame " << k;  // the model's own error is 0.1 px, more where a dot turns up
     worst_px = std::max(worst_px, farthest_px(*tracker_, estimate.q, dots_[k], k));
   }
   EXPECT_LT(worst_px, kMaxDistance_px);

@@ -147,7 +147,7 @@ TEST(DetectorAccuracy, FindsRingsOf20PixelsThatMoveBy8InAnyDirectionWhileExposed
     ASSERT_EQ(detector->detect(test::view_of(pixels), found), Status::ok);
     score.add(markers, found);
   }
-  EXPECT_GE(score.share_found(), 0.97);  // asked for: 0.95
+  EXPECT_GE(score.share_found(), 0.96);  // asked for: 0.95
   EXPECT_EQ(score.surplus, 0);
 }
 

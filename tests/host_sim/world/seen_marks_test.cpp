@@ -23,9 +23,9 @@ TEST(SeenMarks, AreThoseThatThePredictionExpects) {
   ASSERT_EQ(seen.size(), Model::kMarkers.size());
   const auto features = tracker::predict_features<Model, double>(q, kCamera);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    // What the pixel grid leaves without noise: six times 0.0025 px.
-    EXPECT_NEAR(vision::from_q16(seen[i].outer.u_q16), features[i].pixel.x(), 0.015);
-    EXPECT_NEAR(vision::from_q16(seen[i].outer.v_q16), features[i].pixel.y(), 0.015);
+    // What the pixel grid leaves without noise: six times 0.001 px.
+    EXPECT_NEAR(vision::from_q16(seen[i].outer.u_q16), features[i].pixel.x(), 0.006);
+    EXPECT_NEAR(vision::from_q16(seen[i].outer.v_q16), features[i].pixel.y(), 0.006);
     EXPECT_EQ(seen[i].kind, features[i].kind);
   }
 }
