@@ -84,7 +84,7 @@ void check(const Detections& found, const ImageView& image) {
     law(is_ellipse(mark.outer), "an outer edge is an ellipse");
     law(has_centre_within(mark.outer, whole), "a mark lies in the frame");
     law(mark.centre_variance_q24 > 0 && mark.axis_variance_q24 > 0, "nothing is known exactly");
-    law(mark.flaws < 8, "flaws are those that have a name");
+    law(mark.flaws <= (kBlurred | kSaturated | kOccluded | kClipped), "flaws are those that have a name");
     if (mark.kind == MarkKind::ring) {
       law(is_ellipse(mark.inner), "a ring's hole is an ellipse");
       law(mark.inner.m00_q16 < mark.outer.m00_q16, "a hole is smaller than its ring");

@@ -11,6 +11,7 @@ if [ ! -x "$program" ]; then
 fi
 found=$(mktemp -d)
 trap 'rm -rf "$found"' EXIT
-# A hang is ten seconds: the slowest frame takes a hundredth of one, but machines may be busy.
+# A hang is ten seconds: the slowest frame takes a hundredth of one, but machines may be busy. libFuzzer's own exit code
+# for a finding is 77, too.
 "$program" "$found" -runs="$runs" -seed="$seed" -timeout=10 -max_len=1024 -len_control=0 -rss_limit_mb=2048 \
-  -print_final_stats=1 -verbosity=0
+  -error_exitcode=1 -print_final_stats=1 -verbosity=0

@@ -15,6 +15,7 @@ trap 'rm -rf "$found"' EXIT
 folders=("$found" "$here/seeds")
 outside=$here/../../../../shared/urdf_corpus
 if [ -d "$outside" ]; then folders+=("$outside"); fi
-# A hang is a second; memory for what libFuzzer itself keeps comes on top of the compiler's own 64 MiB.
+# A hang is a second; memory for what libFuzzer itself keeps comes on top of the compiler's own 64 MiB. libFuzzer's own
+# exit code for a finding is 77, too.
 "$program" "${folders[@]}" -dict="$here/urdf.dict" -runs="$runs" -seed="$seed" -timeout=1 -max_len=65536 \
-  -rss_limit_mb=2048 -malloc_limit_mb=64 -print_final_stats=1 -verbosity=0
+  -rss_limit_mb=2048 -malloc_limit_mb=64 -error_exitcode=1 -print_final_stats=1 -verbosity=0
