@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/tracker/tracker.hpp"
+#include "hal/firmware.hpp"
 #include "static_models/printer_drawer/printer_drawer.hpp"
 #include "tests/support/observe.hpp"
 #include "tests/support/random_views.hpp"
