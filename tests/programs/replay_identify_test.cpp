@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "static_models/cameras/xtion_vga.hpp"
 #include "tests/programs/orbit.hpp"
@@ -59,6 +61,16 @@ TEST_F(ReplayIdentify, FindsADisplacedMarkerAnUnknownDistanceAndAWrongFocalLengt
   EXPECT_EQ(table.find("\"marker_distance\""), std::string::npos) << table;
 }
 
+/// The numbers that follow the first `word`; none where it is missing.
+std::vector<double> numbers_after(const std::string& text, const std::string& word) {
+  const auto at = text.find(word);
+  if (at == std::string::npos) return {};
+  std::istringstream rest{text.substr(at + word.size())};
+  std::vector<double> numbers;
+  for (double number; rest >> number;) numbers.push_back(number);
+  return numbers;
+}
+
 TEST_F(ReplayIdentify, FindsTheSameFromWhatABoardRecorded) {
   ASSERT_EQ(test::draw(test::Orbit{cameras::kXtionVga, {0.003, 0, 0}}, folder_ / "frames"), "");
   const auto board =
@@ -72,8 +84,17 @@ TEST_F(ReplayIdentify, FindsTheSameFromWhatABoardRecorded) {
                 in_folder("run.rec") + " -o " + in_folder("est.csv") + " --virtual marker_distance" + " --identify " +
                 in_folder("found.yaml") + " --identify " + in_folder("found.urdf"));
   EXPECT_EQ(ended.exit_code, 0) << ended.text;
-  for (const char* word : {"identified from 200 moments", "marker_distance", "displaced"})
-    EXPECT_NE(ended.text.find(word), std::string::npos) << word << '\n' << ended.text;
+  EXPECT_NE(ended.text.find("identified from 200 moments"), std::string::npos) << ended.text;
+  constexpr double kWithin_mm = 0.05;  // ten of the deviations that it owns to, as they stand beside the numbers
+  const auto distance_mm = numbers_after(ended.text, "marker_distance");
+  ASSERT_FALSE(distance_mm.empty()) << ended.text;
+  EXPECT_NEAR(distance_mm[0], 120, kWithin_mm);
+  const auto moved_mm = numbers_after(ended.text, "base_marker_1");
+  ASSERT_GE(moved_mm.size(), 3u) << ended.text;
+  EXPECT_NEAR(moved_mm[0], 3, kWithin_mm);
+  EXPECT_NEAR(moved_mm[1], 0, kWithin_mm);
+  EXPECT_NEAR(moved_mm[2], 0, kWithin_mm);
+  EXPECT_NE(ended.text.find("displaced"), std::string::npos) << ended.text;
   EXPECT_TRUE(fs::exists(in_folder("found.yaml")) && fs::exists(in_folder("found.urdf")));
 }
 
