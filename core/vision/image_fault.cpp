@@ -53,8 +53,9 @@ ImageFault fault_of(const ImageView& image) noexcept {
   const int dark = histogram.level(3), bright = histogram.level(253);
   if (bright < kBlack) return ImageFault::underexposed;
   if (histogram.level(192) >= kWhite) return ImageFault::overexposed;
-  // A step blurred by sigma s rises by its height times 4 / (s sqrt(2 pi)) over four pixels: by half at sigma 3.
-  if (bright - dark >= kContrast && 2 * steepest < 4 * (bright - dark)) return ImageFault::blurred;
+  // Blurred by sigma s, a step rises by its height times 4 / (s sqrt(2 pi)) over four pixels: by half of it at sigma 3.
+  // `steepest` is four times that.
+  if (bright - dark >= kContrast && steepest < 2 * (bright - dark)) return ImageFault::blurred;
   return ImageFault::none;
 }
 
