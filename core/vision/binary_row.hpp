@@ -46,20 +46,36 @@ class BinaryRow {
  private:
   std::uint64_t word_of(const std::uint8_t* grey, int i_word) const noexcept {
     const std::uint8_t* threshold = &threshold_[static_cast<std::size_t>(i_word) * 64];
-    std::array<std::uint8_t, 64> light;
-    for (std::size_t u = 0; u < 64; ++u) light[u] = grey[u] >= threshold[u];
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < 8; ++i) bits |= gather(&light[i * 8]) << (8 * i);
-    return bits;
+    constexpr std::uint8_t kAll = 255, kNone = 0;
+    std::array<std::uint8_t, 64> light;  // of the pixel 8 i + k: bit i
+    for (std::size_t u = 0; u < 64; ++u) light[u] = kBit[u] & (grey[u] >= threshold[u] ? kAll : kNone);
+    std::uint64_t columns = 0;  // byte k, bit i
+    for (std::size_t i = 0; i < 8; ++i) {
+      std::uint64_t eight;
+      std::memcpy(&eight, &light[i * 8], sizeof eight);
+      columns |= eight;
+    }
+    return transposed(columns);
   }
 
-  // Eight bytes of 0 or 1 into eight bits: the product brings byte i to bit 56 + i without a carry.
-  static std::uint64_t gather(const std::uint8_t* bytes) noexcept {
+  // Bit i of byte k to bit k of byte i, by swaps in blocks of 1, 2 and 4.
+  static std::uint64_t transposed(std::uint64_t x) noexcept {
     static_assert(std::endian::native == std::endian::little, "byte i must have the weight 256^i");
-    std::uint64_t spread;
-    std::memcpy(&spread, bytes, sizeof spread);
-    return (spread * 0x0102040810204080u) >> 56;
+    const auto swap = [&x](int distance, std::uint64_t lower) {
+      const std::uint64_t differ = (x ^ x >> distance) & lower;
+      x ^= differ ^ differ << distance;
+    };
+    swap(7, 0x00aa00aa00aa00aau);
+    swap(14, 0x0000cccc0000ccccu);
+    swap(28, 0x00000000f0f0f0f0u);
+    return x;
   }
+
+  static constexpr std::array<std::uint8_t, 64> kBit = [] {
+    std::array<std::uint8_t, 64> bit{};
+    for (std::size_t u = 0; u < 64; ++u) bit[u] = static_cast<std::uint8_t>(1u << u / 8);
+    return bit;
+  }();
 
   int width_px_{}, num_words_{};
   std::array<std::uint8_t, std::size_t{kMaxWords} * 64> threshold_{};

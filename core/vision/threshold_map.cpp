@@ -125,18 +125,22 @@ void ThresholdMap::find_coarse_contrasts() noexcept {
 void ThresholdMap::decide() noexcept {
   const Coarse& scale = coarse_[0];
   std::array<Byte, kMaxTileColumns + 3> middle;
+  const Byte gate = static_cast<Byte>(gate_);
+  const int n = tiles_.columns;
   for (int i_row = 0; i_row < tiles_.rows; ++i_row) {
-    for (int i = 0; i < scale.grid.columns; ++i) {
+    for (int i = 0; i < scale.grid.columns && i_row % 3 == 0; ++i) {
       const Byte value = scale.middle[scale.grid.index(i_row / 3, i)];
       for (int k = 0; k < 3; ++k) middle[static_cast<std::size_t>(3 * i + k)] = value;
     }
     const std::size_t first = tiles_.index(i_row, 0);
     const Byte *brightest = &brightest_[first], *darkest = &darkest_[first];
     Byte* __restrict threshold = &threshold_[first];
-    for (int i = 0; i < tiles_.columns; ++i) {
-      const int sum = 255 - darkest[i] + brightest[i], range = brightest[i] + darkest[i] - 255;
-      const Byte flat = sum < 2 * middle[static_cast<std::size_t>(i)] ? kAllDark : kAllLight;
-      threshold[i] = range >= gate_ ? static_cast<Byte>((sum + 1) / 2) : flat;
+    const Byte* nearest = middle.data();
+    for (int i = 0; i < n; ++i) {  // in bytes throughout
+      const Byte low = static_cast<Byte>(255 - darkest[i]), high = brightest[i];
+      const Byte rounded_down = static_cast<Byte>(255 - mean(darkest[i], static_cast<Byte>(255 - high)));
+      const Byte flat = rounded_down < nearest[i] ? kAllDark : kAllLight;
+      threshold[i] = static_cast<Byte>(high - low) >= gate ? mean(low, high) : flat;
     }
   }
 }
