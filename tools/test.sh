@@ -10,12 +10,11 @@ Usage: tools/test.sh
 Installs missing packages (root or sudo), builds preset host-release with GCC into build/host-release, the programs
 that compute with Clang into build/host-release-clang, and runs all tests; some hold the two builds against each other:
 both compute the same bits. Where the cross compilers are (tools/setup_cross.sh installs them), it builds for cortex-m7
-and aarch64, too, and runs their tests under emulators: of aarch64 the board's program, the link, the tests of hal, of
-core's math, model and vision geometry, and the bits, which run detector and tracker. (`cmake --build --preset aarch64
-&& ctest --preset aarch64` is all of them.) GCC on this machine compiles the firmware for all static models, the other
-compilers for three: the paper's printer, one with mimic joints and dots, and the one with the most joints. (`cmake
---preset PRESET` gives a build all of them again.) Prints failures and ctest's summaries; the whole logs are
-build/PRESET/tests.log.
+and aarch64, too, and runs their tests under emulators: of aarch64 the board's program, the link and the tests of core,
+hal and the bits. (`cmake --build --preset aarch64 && ctest --preset aarch64` is all of them.) GCC on this machine
+compiles the firmware for all static models, the other compilers for three: the paper's printer, one with mimic joints
+and dots, and the one with the most joints. (`cmake --preset PRESET` gives a build all of them again.) Prints failures
+and ctest's summaries; the whole logs are build/PRESET/tests.log.
 
 Exit codes: 0 all passed, 1 something failed, 2 wrong usage.
 END
@@ -60,7 +59,7 @@ fi
 
 if there aarch64-linux-gnu-g++ qemu-aarch64 && [ -e build/sysroot-aarch64 ]; then
   of_the_board=()
-  for target in articam-{bits,board} core_{math,model}_test vision_geometry_test hal_test board_test wire_test \
+  for target in articam-{bits,board} core_{math,model,tracker}_test vision_geometry_test hal_test board_test wire_test \
     packet_{inlet,link}_test receiver_test authentication_test hal_{libcamera,supervision,v4l2}_test bits_test \
     articam_firmware planted_{allowed,forbidden} articam-stack receiver_example; do
     of_the_board+=(--target "$target")

@@ -128,7 +128,8 @@ void ThresholdMap::decide() noexcept {
   const Byte gate = static_cast<Byte>(gate_);
   const int n = tiles_.columns;
   for (int i_row = 0; i_row < tiles_.rows; ++i_row) {
-    for (int i = 0; i < scale.grid.columns && i_row % 3 == 0; ++i) {
+    const int cells = i_row % 3 == 0 ? scale.grid.columns : 0;  // one row of cells covers three of tiles
+    for (int i = 0; i < cells; ++i) {
       const Byte value = scale.middle[scale.grid.index(i_row / 3, i)];
       for (int k = 0; k < 3; ++k) middle[static_cast<std::size_t>(3 * i + k)] = value;
     }

@@ -79,9 +79,9 @@ tracker::Matches<M, double> disturbed_matches(const model::Configuration<M, doub
 
 template <class M>
 class NormalEquations : public testing::Test {};
-/// No joints, one of each kind, several side by side, mimicking ones and ratios, long chains.
-using Models = testing::Types<models::PrinterDrawer, models::Mire, models::Valve, models::Cabinet, models::SwitchPanel,
-                              models::Arm7, models::Stress24, test::Arm, test::GearedArm>;
+using Models = testing::Types<models::PrinterDrawer, models::Mire, models::MireDistance, models::Door, models::Valve,
+                              models::SteeringWheel, models::Cabinet, models::Laptop, models::SwitchPanel, models::Arm7,
+                              models::Stress24, test::Arm, test::GearedArm>;
 TYPED_TEST_SUITE(NormalEquations, Models);
 
 TYPED_TEST(NormalEquations, AreThoseOfTheDenseArticulationMatrix) {
