@@ -14,8 +14,8 @@ namespace articam::tracker {
 
 /// What the detector has to look for, from the model's table.
 template <class Model>
-constexpr vision::DetectorOptions detector_options() noexcept {
-  vision::DetectorOptions options{.rings = false};
+constexpr vision::DetectorOptions detector_options(const vision::Pinhole& camera = {}) noexcept {
+  vision::DetectorOptions options{.rings = false, .camera = camera};
   for (const model::MarkerRow& row : Model::kMarkers) {
     switch (row.kind) {
       case model::MarkerKind::ring:
@@ -35,15 +35,18 @@ constexpr vision::DetectorOptions detector_options() noexcept {
   return options;
 }
 
+/// How well print and lens are known before frames have taught it.
+inline constexpr double kUnproven_px = 0.02;
+
 template <class Model, class Scalar>
 Tracker<Model, Scalar>::Tracker(const CameraParameters& camera, const Options& options) noexcept
     : options_{options},
       camera_{camera},
-      detector_{detector_options<Model>()},
+      detector_{detector_options<Model>(vision::pinhole_of(camera))},
       coarse_{per_freedom<Model, Scalar>(options.coarse).cwiseAbs2()},
       judge_{options, false},
       motion_{options},
-      acquisition_{camera_, static_cast<Scalar>(options.floor_px)} {
+      acquisition_{camera_, static_cast<Scalar>(std::max(options.floor_px, kUnproven_px))} {
   static_assert(detector_options<Model>().ok(), "the rings' inner : outer diameter is out of the detector's range");
   if constexpr (Model::kHasQ0) {
     if (const auto q0 = model::from_numbers<Model, Scalar>(Model::kQ0); q0.ok()) set_start(q0.value());

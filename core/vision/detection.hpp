@@ -36,7 +36,7 @@ struct Detection {
   std::uint8_t flaws{};                 ///< of its outer edge: Flaw bits
   std::uint16_t blur_q8{};              ///< standard deviation of its outer edge, px, Q8
   Ellipse outer{};                      ///< outer edge of a ring, edge of a dot
-  Ellipse inner{};                      ///< inner edge of a ring; zero otherwise
+  Ellipse inner{};                      ///< inner edge of a ring, as it is seen if light is even; zero otherwise
   std::uint32_t centre_variance_q24{};  ///< variance of u and of v of the outer centre, px^2, Q24
   std::uint32_t axis_variance_q24{};    ///< of each outer semi-axis, its bias included
   std::uint32_t inner_centre_variance_q24{}, inner_axis_variance_q24{};

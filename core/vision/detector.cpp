@@ -24,10 +24,13 @@ int count_bits(std::uint64_t x) noexcept {
   return static_cast<int>(((x + (x >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
 }
 
+// Within half of the second's smaller extent; most marks are of other rows.
 bool same_place(const Detection& a, const Detection& b) noexcept {
-  const std::int64_t du = a.outer.u_q16 - b.outer.u_q16, dv = a.outer.v_q16 - b.outer.v_q16;
-  const std::int64_t m00 = b.outer.m00_q16, m11 = b.outer.m11_q16;
-  return du * du + dv * dv < std::min(m00 * m00, m11 * m11) / 4;
+  const std::int32_t near = std::min(b.outer.m00_q16, b.outer.m11_q16) / 2;
+  const std::int32_t dv = a.outer.v_q16 - b.outer.v_q16;
+  if (dv >= near || -dv >= near) return false;
+  const std::int64_t du = a.outer.u_q16 - b.outer.u_q16;
+  return du * du + square(dv) < square(near);
 }
 
 // Of numbers that a mark in this frame may have, the fit's integers hold all that follows; others are no expectation.
@@ -95,9 +98,10 @@ Status Detector::measure(const ImageView& image, std::span<const Expected> expec
     if (!seeks(mark.kind) || !may_be_in(image, mark.outer)) continue;
     int unlimited = 0;  // a fit is bounded by itself, and there are only so many
     Detection found;
-    const bool there = mark.kind == MarkKind::ring
-                           ? measure_ring(image, mark.outer, options_.ring_ratio_q16, unlimited, found)
-                           : measure_dot(image, mark.outer, mark.kind == MarkKind::dot_light_on_dark, unlimited, found);
+    const bool there =
+        mark.kind == MarkKind::ring
+            ? measure_ring(image, mark.outer, options_.ring_ratio_q16, camera_of(image), unlimited, found)
+            : measure_dot(image, mark.outer, mark.kind == MarkKind::dot_light_on_dark, unlimited, found);
     if (there) keep(found, out);
   }
   sort_by_rows(out);
@@ -107,6 +111,10 @@ Status Detector::measure(const ImageView& image, std::span<const Expected> expec
 bool Detector::seeks(MarkKind kind) const noexcept {
   if (kind == MarkKind::ring) return options_.rings;
   return kind == MarkKind::dot_light_on_dark ? options_.dots_light_on_dark : options_.dots_dark_on_light;
+}
+
+Pinhole Detector::camera_of(const ImageView& image) const noexcept {
+  return options_.camera.known() ? options_.camera : likely_pinhole(image.width_px, image.height_px);
 }
 
 void Detector::search(const ImageView& image, const PixelBox& box, Detections& found) noexcept {
@@ -166,7 +174,8 @@ void Detector::inspect_ring(const View& view, const RowChord& chord, int v, Dete
   if (!options_.rings || !seed_ring(view.window, chord, v, options_.ring_ratio_q16, limits_, mark.outer)) return;
   mark.outer = view.in_image(mark.outer);
   if (is_known(mark, found)) return;
-  if (measure_ring(view.image, mark.outer, options_.ring_ratio_q16, limits_.budget, mark)) keep(mark, found);
+  if (measure_ring(view.image, mark.outer, options_.ring_ratio_q16, camera_of(view.image), limits_.budget, mark))
+    keep(mark, found);
 }
 
 void Detector::inspect_dot(const View& view, int first, int end, int v, bool light, Detections& found) noexcept {

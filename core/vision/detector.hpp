@@ -7,6 +7,7 @@
 #include "core/status.hpp"
 #include "core/vision/binary_row.hpp"
 #include "core/vision/detection.hpp"
+#include "core/vision/hole_offset.hpp"
 #include "core/vision/image_view.hpp"
 #include "core/vision/seed.hpp"
 #include "core/vision/threshold_map.hpp"
@@ -22,6 +23,7 @@ struct DetectorOptions {
   bool dots_light_on_dark{false};
   bool dots_dark_on_light{false};
   std::int32_t ring_ratio_q16{26859};  ///< inner : outer diameter, from kMin- to kMaxRingRatio; 50:122 is WhyCon's
+  Pinhole camera{};                    ///< tells where a hole is seen in its ring; else likely_pinhole() does
 
   constexpr bool ok() const noexcept {
     return !rings || (ring_ratio_q16 >= kMinRingRatio_q16 && ring_ratio_q16 <= kMaxRingRatio_q16);
@@ -62,6 +64,7 @@ class Detector {
   struct View;
   bool may_read(const ImageView& image) const noexcept { return image.ok() && options_.ok(); }
   bool seeks(MarkKind kind) const noexcept;
+  Pinhole camera_of(const ImageView& image) const noexcept;
   bool seeks_dots() const noexcept { return options_.dots_light_on_dark || options_.dots_dark_on_light; }
   void search(const ImageView& image, const PixelBox& window, Detections& found) noexcept;
   void search_row(const View& view, int v, Detections& found) noexcept;

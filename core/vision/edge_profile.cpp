@@ -1,6 +1,7 @@
 #include "core/vision/edge_profile.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace articam::vision {
 namespace {
@@ -44,10 +45,14 @@ void blend_q4(const Corners& corners, std::int16_t* __restrict out) noexcept {
   }
 }
 
-// Of rays that lie wholly inside the image.
+// Of rays that lie wholly inside the image. 16 bits times 16 bits, which vector units have.
 void find_inside(const ImageView& image, const Places& u_q16, const Places& v_q16, Corners& out) noexcept {
-  for (std::size_t i = 0; i < kAtOnce; ++i)
-    out.put(i, image.row(v_q16[i] >> 16) + (u_q16[i] >> 16), 1, image.stride_bytes);
+  std::array<std::int16_t, kAtOnce> row;
+  std::array<std::int32_t, kAtOnce> offset;
+  const auto stride = static_cast<std::int16_t>(image.stride_bytes);
+  for (std::size_t i = 0; i < kAtOnce; ++i) row[i] = static_cast<std::int16_t>(v_q16[i] >> 16);
+  for (std::size_t i = 0; i < kAtOnce; ++i) offset[i] = row[i] * stride + (u_q16[i] >> 16);
+  for (std::size_t i = 0; i < kAtOnce; ++i) out.put(i, image.data + offset[i], 1, image.stride_bytes);
   for (std::size_t i = 0; i < kAtOnce; ++i) out.right_q8[i] = static_cast<std::int16_t>(u_q16[i] >> 8 & 255);
   for (std::size_t i = 0; i < kAtOnce; ++i) out.down_q8[i] = static_cast<std::int16_t>(v_q16[i] >> 8 & 255);
 }
@@ -63,8 +68,9 @@ void find_anywhere(const ImageView& image, const Places& u_q16, const Places& v_
   }
 }
 
-// The ellipse, its window and one pixel more lie inside the image.
+// The ellipse, its window and one pixel more lie inside the image, whose stride fits find_inside().
 bool reads_inside(const ImageView& image, const Ellipse& e, std::int32_t half_window_q16) noexcept {
+  if (image.stride_bytes > 0x7fff) return false;
   const std::int64_t outer_q16 = kOne_q16 + half_window_q16;
   const std::int64_t du = (e.m00_q16 * outer_q16 >> kQ16) + 2 * kOne_q16;
   const std::int64_t m1 =
@@ -94,6 +100,9 @@ void read(const ImageView& image, const Ellipse& e, std::int32_t half_window_q16
     }
     Corners corners;
     find(image, u_q16, v_q16, corners);
+    std::uint8_t *const right = out.right_q8[first].data(), *const down = out.down_q8[first].data();
+    for (std::size_t i = 0; i < kAtOnce; ++i) right[i] = static_cast<std::uint8_t>(corners.right_q8[i]);
+    for (std::size_t i = 0; i < kAtOnce; ++i) down[i] = static_cast<std::uint8_t>(corners.down_q8[i]);
     blend_q4(corners, out.grey_q4[first].data());
   }
 }
@@ -112,6 +121,20 @@ void read_rays(const ImageView& image, const Ellipse& e, std::int32_t half_windo
   else
     read<find_anywhere>(image, e, half_window_q16, out);
 }
+
+namespace {
+
+// The derivative of the profile, weighted by its own steepness. Farther out it tells little of the edge, and what lies
+// there of others. A threshold in its place would take samples in and out while the ellipse moves by hundredths of px.
+PerSample steep_part(const PerSample& slope_q4) noexcept {
+  PerSample filter = slope_q4;
+  int steepest = 1;
+  for (const int slope : filter) steepest = std::max(steepest, std::abs(slope));
+  for (std::int16_t& slope : filter) slope = static_cast<std::int16_t>(slope * std::abs(slope) / steepest);
+  return filter;
+}
+
+}  // namespace
 
 bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcept {
   static_assert(kMaxRays * 255 * 16 < 1 << 20, "bounds of the sums below");
@@ -163,6 +186,7 @@ bool find_profile(const RaySamples& samples, int sign, EdgeProfile& out) noexcep
     const std::int64_t slope_x12 = j >= 2 && j + 2 < kSamples ? 8 * slope[j] - (sum[j + 2] - sum[j - 2]) : 6 * slope[j];
     out.slope_q4[j] = static_cast<std::int16_t>(std::clamp<std::int64_t>(slope_x12 / (12 * samples.rays), -4080, 4080));
   }
+  out.filter_q4 = steep_part(out.slope_q4);
   return true;
 }
 

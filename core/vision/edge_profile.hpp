@@ -20,11 +20,13 @@ using PerSample = std::array<std::int16_t, kSamples>;
 /// Something of each ray.
 using PerRay = std::array<std::int16_t, kMaxRays>;
 
-/// Grey levels, Q4: sample j of ray k at [k][j]. Ray k points to k / rays of a turn, sample j lies at the radius
+/// Sample j of ray k is at [k][j]. Ray k points to k / rays of a turn, sample j lies at the radius
 /// 1 + h (2 j / (kSamples - 1) - 1).
 struct RaySamples {
   int rays{};
-  alignas(16) std::array<PerSample, kMaxRays> grey_q4;
+  alignas(16) std::array<PerSample, kMaxRays> grey_q4;                            ///< grey levels
+  alignas(16) std::array<std::array<std::uint8_t, kSamples>, kMaxRays> right_q8;  ///< of the pixel's centre above and
+  alignas(16) std::array<std::array<std::uint8_t, kSamples>, kMaxRays> down_q8;   ///< to the left, px, below 1
 };
 
 /// The number of rays that reads an edge of that mean radius about once in one and a half pixels: 32, 64 or 128.
@@ -38,6 +40,7 @@ void read_rays(const ImageView& image, const Ellipse& e, std::int32_t half_windo
 struct EdgeProfile {
   PerSample mean_q4;          ///< P
   PerSample slope_q4;         ///< D, 0 at both ends
+  PerSample filter_q4;        ///< F = D |D| by its largest: what tells where a ray meets the edge
   std::int32_t contrast_q4;   ///< positive
   std::int64_t position_q16;  ///< of the edge, from the radius 1
   std::int64_t variance_q16;  ///< of the slope, the width of the edge squared

@@ -1,6 +1,7 @@
 #include "core/vision/ellipse_shape.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/config.hpp"
 #include "core/vision/fixed_point.hpp"
@@ -25,6 +26,16 @@ std::int64_t minor_q16(const Ellipse& e) noexcept {
   const int down = mean_q16 >> 30 != 0 ? 8 : 0;  // squares fit
   const std::int64_t gap_q16 = integer_sqrt(square(mean_q16 >> down) - square(det_q16 >> down)) << down;
   return integer_sqrt(std::max<std::int64_t>(1, mean_q16 - gap_q16) << kQ16);
+}
+
+std::int64_t in_px_q24(const Ellipse& e, std::int64_t variance_q40) noexcept {
+  const std::int64_t square_q16 = mean_square_q16(e);
+  const int down = std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(square_q16))) - 24);
+  return (square_q16 >> down) * std::min(variance_q40, std::int64_t{1} << 38) >> (kQ16 + 16 - down);
+}
+
+std::uint32_t to_variance_q24(std::int64_t variance_q24) noexcept {
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(variance_q24, 1, 0xffffffff));
 }
 
 Ellipse scaled(Ellipse e, std::int64_t factor_q16) noexcept {

@@ -16,6 +16,12 @@ std::int64_t mean_square_q16(const Ellipse& e) noexcept;
 /// Semi-minor axis, px, Q16.
 std::int64_t minor_q16(const Ellipse& e) noexcept;
 
+/// Mean variance of u and v, px^2, where each coordinate of the normalised plane has `variance_q40`, squared radii.
+std::int64_t in_px_q24(const Ellipse& e, std::int64_t variance_q40) noexcept;
+
+/// Held within what Detection can say.
+std::uint32_t to_variance_q24(std::int64_t variance_q24) noexcept;
+
 /// Axes times `factor_q16`, same centre.
 Ellipse scaled(Ellipse e, std::int64_t factor_q16) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/vision/concentric.hpp"
 #include "core/vision/edge_fit.hpp"
 #include "core/vision/ellipse_shape.hpp"
 #include "core/vision/fixed_point.hpp"
@@ -44,16 +45,22 @@ void put(const EdgeFit& fit, MarkKind kind, Detection& out) noexcept {
 
 }  // namespace
 
-bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t ratio_q16, int& budget,
-                  Detection& out) noexcept {
+bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t ratio_q16, const Pinhole& camera,
+                  int& budget, Detection& out) noexcept {
   EdgeFit outer, inner;
-  if (!fit_edge(image, Inside::darker, (kOne_q16 - ratio_q16) / 2, seed, budget, outer) || !is_an_ellipse(outer, 1))
+  if (!fit_edge(image, Inside::darker, Reading::full, (kOne_q16 - ratio_q16) / 2, seed, budget, outer) ||
+      !is_an_ellipse(outer, 1))
     return false;
   const auto to_outer_q16 = static_cast<std::int32_t>((std::int64_t{kOne_q16} << kQ16) / ratio_q16) - kOne_q16;
   const std::int32_t reach_q16 = std::min(percent_q16(70), to_outer_q16 / 2);
-  if (!fit_edge(image, Inside::lighter, reach_q16, scaled(outer.ellipse, ratio_q16), budget, inner)) return false;
+  if (!fit_edge(image, Inside::lighter, Reading::plain, reach_q16, scaled(outer.ellipse, ratio_q16), budget, inner))
+    return false;
   if (!is_an_ellipse(inner, 2) || !belong_together(outer, inner, ratio_q16)) return false;
+  Centre centre;
+  if (!join_centres(outer, inner, camera, ratio_q16, centre)) return false;
   put(outer, MarkKind::ring, out);
+  out.outer.u_q16 = centre.u_q16, out.outer.v_q16 = centre.v_q16;
+  out.centre_variance_q24 = centre.variance_q24;
   out.inner = inner.ellipse;
   out.inner_centre_variance_q24 = inner.centre_variance_q24;
   out.inner_axis_variance_q24 = inner.axis_variance_q24;
@@ -62,7 +69,8 @@ bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t rati
 
 bool measure_dot(const ImageView& image, const Ellipse& seed, bool light, int& budget, Detection& out) noexcept {
   EdgeFit fit;
-  if (!fit_edge(image, light ? Inside::lighter : Inside::darker, percent_q16(32), seed, budget, fit)) return false;
+  if (!fit_edge(image, light ? Inside::lighter : Inside::darker, Reading::full, percent_q16(32), seed, budget, fit))
+    return false;
   if (!is_an_ellipse(fit, 1)) return false;
   put(fit, light ? MarkKind::dot_light_on_dark : MarkKind::dot_dark_on_light, out);
   return true;

@@ -42,16 +42,6 @@ void put_shares(std::int32_t whole, const std::array<std::int32_t, kMaxRays>& pa
 }
 static_assert(kLimit_q8 < 1 << 10, "with fractions of 8 bits or more, a share times 2^26 fits");
 
-// The derivative of the profile, weighted by its own steepness. Farther out it tells little of the edge, and what lies
-// there of others. A threshold in its place would take samples in and out while the ellipse moves by hundredths of px.
-PerSample steep_part(const EdgeProfile& profile) noexcept {
-  PerSample filter = profile.slope_q4;
-  int steepest = 1;
-  for (const int slope : filter) steepest = std::max(steepest, std::abs(slope));
-  for (std::int16_t& slope : filter) slope = static_cast<std::int16_t>(slope * std::abs(slope) / steepest);
-  return filter;
-}
-
 // What the profile becomes per gain: light that grows by g a radius grows by g r up to the radius r of the sample.
 PerSample lit_part(const EdgeProfile& profile, std::int32_t half_window_q16) noexcept {
   PerSample lit;
@@ -62,6 +52,44 @@ PerSample lit_part(const EdgeProfile& profile, std::int32_t half_window_q16) noe
     lit[i] = static_cast<std::int16_t>(profile.mean_q4[i] * radius_q12 >> 12);
   }
   return lit;
+}
+
+// The filter times the profile's second derivative, shifted down to 14 bits.
+struct Curvature {
+  PerSample filtered;
+  int down;
+};
+Curvature curvature_of(const EdgeProfile& profile) noexcept {
+  const PerSample& F = profile.filter_q4;
+  std::array<std::int32_t, kSamples> product{};
+  std::int32_t most = 1;
+  for (std::size_t j = 1; j + 1 < kSamples; ++j) {
+    product[j] = F[j] * (profile.mean_q4[j - 1] - 2 * profile.mean_q4[j] + profile.mean_q4[j + 1]);
+    most = std::max(most, std::abs(product[j]));
+  }
+  Curvature out{{}, std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(most))) - 13)};
+  for (std::size_t j = 0; j < kSamples; ++j) out.filtered[j] = static_cast<std::int16_t>(product[j] >> out.down);
+  return out;
+}
+
+// The radius grows along u and v by cos / m00 - sin m10 / (m00 m11) and by sin / m11: squares, as shares of the square
+// of its steepest growth, 1 / minor.
+struct Growth {
+  PerRay uu_q14, vv_q14;
+};
+Growth growth_of(const Ellipse& e, std::int64_t minor_q16, int rays) noexcept {
+  Growth out;
+  const auto cos_u = static_cast<std::int32_t>((minor_q16 << kQ14) / e.m00_q16);
+  const auto sin_v = static_cast<std::int32_t>((minor_q16 << kQ14) / e.m11_q16);
+  const auto sin_u = static_cast<std::int32_t>(-std::int64_t{cos_u} * e.m10_q16 / e.m11_q16);
+  const Wave& wave = wave_of(rays, 1);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rays); ++k) {
+    const std::int32_t u = (wave.cos_q14[k] * cos_u + wave.sin_q14[k] * sin_u) >> kQ14;
+    const std::int32_t v = wave.sin_q14[k] * sin_v >> kQ14;
+    out.uu_q14[k] = static_cast<std::int16_t>(u * u >> kQ14);
+    out.vv_q14[k] = static_cast<std::int16_t>(v * v >> kQ14);
+  }
+  return out;
 }
 
 }  // namespace
@@ -78,28 +106,70 @@ std::int64_t RayOffsets::scatter_q16(const Harmonic& first_q16, const Harmonic& 
   return std::max<std::int64_t>(power_q16, 0) / (rays - kUnknowns);
 }
 
+// Both products, of the rays less those of the profile, are shares of D.F and G.G.
 void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses,
-                  std::int32_t half_window_q16, RayOffsets& out) noexcept {
-  const PerSample &P = profile.mean_q4, &D = profile.slope_q4;
-  const PerSample G = lit_part(profile, half_window_q16), F = steep_part(profile);
-  const std::int32_t GG = dot(G, G) + 1, PG = dot(P, G), PF = dot(P, F), DF = dot(D, F) + 1;
-  // Both products, of the rays less those of the profile, as shares of G.G and D.F.
-  std::array<std::int32_t, kMaxRays> with_lit, with_slope;
+                  RayOffsets& out) noexcept {
+  const PerSample& F = profile.filter_q4;
+  std::array<std::int32_t, kMaxRays> with_slope;
   const auto rays = static_cast<std::size_t>(samples.rays);
-  for (std::size_t k = 0; k < rays; ++k) {
-    with_lit[k] = dot(samples.grey_q4[k], G);
-    with_slope[k] = dot(samples.grey_q4[k], F);
-  }
+  for (std::size_t k = 0; k < rays; ++k) with_slope[k] = dot(samples.grey_q4[k], F);
   out.rays = samples.rays;
-  PerRay dark_q11;  // brightness differs by a half at most
-  put_shares(PG, with_lit, samples.rays, GG, 11, dark_q11);
-  put_shares(PF, with_slope, samples.rays, DF, 8, out.rho_q8);
+  put_shares(dot(profile.mean_q4, F), with_slope, samples.rays, dot(profile.slope_q4, F) + 1, 8, out.rho_q8);
   for (std::size_t k = 0; k < rays; ++k) out.rho_q8[k] = static_cast<std::int16_t>(out.rho_q8[k] & crosses[k]);
+  out.seen_q16 = out.harmonic_q16(1);
+}
+
+void take_off_blending(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, const Ellipse& e,
+                       std::int64_t minor_q16, std::int32_t half_window_q16, RayOffsets& io) noexcept {
+  const auto rays = static_cast<std::size_t>(samples.rays);
+  const Growth growth = growth_of(e, minor_q16, samples.rays);
+  const Curvature curvature = curvature_of(profile);
+  std::array<std::int32_t, kMaxRays> blended_q14;
+  for (std::size_t k = 0; k < rays; ++k) {
+    PerSample beside_q14;
+    for (std::size_t j = 0; j < kSamples; ++j) {
+      const std::int16_t right = samples.right_q8[k][j], down = samples.down_q8[k][j];
+      const auto f_right_q16 = static_cast<std::int16_t>(right * (256 - right)),
+                 f_down_q16 = static_cast<std::int16_t>(down * (256 - down));
+      const auto along_u_q14 = static_cast<std::int16_t>(f_right_q16 * growth.uu_q14[k] >> 16),
+                 along_v_q14 = static_cast<std::int16_t>(f_down_q16 * growth.vv_q14[k] >> 16);
+      beside_q14[j] = static_cast<std::int16_t>(along_u_q14 + along_v_q14);
+    }
+    blended_q14[k] = dot(curvature.filtered, beside_q14);
+  }
+  // What blending adds on average, f (1 - f) being a sixth, is part of the blur.
+  std::int32_t sum = 0;
+  for (const int h : curvature.filtered) sum += h;
+  for (std::size_t k = 0; k < rays; ++k) blended_q14[k] -= (growth.uu_q14[k] + growth.vv_q14[k]) * sum / 6;
+
+  // 1 / (2 narrow^2), narrow the px between samples where they are nearest, by D.F.
+  const std::int64_t narrow_q16 = 2 * half_window_q16 * minor_q16 / (kSamples - 1) >> kQ16;
+  const std::int64_t per_px2_q16 = (std::int64_t{1} << 47) / std::max<std::int64_t>(square(narrow_q16), 1 << 26);
+  const std::int64_t filter = dot(profile.slope_q4, profile.filter_q4) + 1;
+  constexpr std::int64_t kMost = 1 << 14;
+  const auto scale = static_cast<std::int32_t>(std::min((per_px2_q16 << (8 + curvature.down)) / filter, kMost));
+  for (std::size_t k = 0; k < rays; ++k) {
+    const std::int32_t moved_q8 = (blended_q14[k] >> 14) * scale >> 16;
+    io.rho_q8[k] = static_cast<std::int16_t>((io.rho_q8[k] + moved_q8) & crosses[k]);
+  }
+  io.seen_q16 = io.harmonic_q16(1);
+}
+
+void find_light(const RaySamples& samples, const EdgeProfile& profile, std::int32_t half_window_q16,
+                RayOffsets& out) noexcept {
+  const PerSample &P = profile.mean_q4, &D = profile.slope_q4, &F = profile.filter_q4;
+  const PerSample G = lit_part(profile, half_window_q16);
+  const std::int32_t GG = dot(G, G) + 1;
+  std::array<std::int32_t, kMaxRays> with_lit;
+  const auto rays = static_cast<std::size_t>(samples.rays);
+  for (std::size_t k = 0; k < rays; ++k) with_lit[k] = dot(samples.grey_q4[k], G);
+  PerRay dark_q11;  // brightness differs by a half at most
+  put_shares(dot(P, G), with_lit, samples.rays, GG, 11, dark_q11);
 
   // For the first harmonics: dark = shift DG / GG - gain, rho = shift - gain GF / DF.
-  const Harmonic dark_q19 = harmonic_q16(dark_q11, samples.rays, 1), rho = out.seen_q16 = out.harmonic_q16(1);
+  const Harmonic dark_q19 = harmonic_q16(dark_q11, samples.rays, 1), rho = out.seen_q16;
   const std::int64_t DG_GG_q16 = (std::int64_t{dot(D, G)} << 16) / GG;
-  out.per_gain_q16 = (std::int64_t{dot(G, F)} << 16) / DF;
+  out.per_gain_q16 = (std::int64_t{dot(G, F)} << 16) / (dot(D, F) + 1);
   constexpr std::int64_t kMostShared_q16 = kOne_q16 - kOne_q16 / 64;
   out.shared_q16 = std::clamp<std::int64_t>(DG_GG_q16 * out.per_gain_q16 >> 16, 0, kMostShared_q16);
 

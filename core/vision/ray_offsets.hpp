@@ -30,8 +30,16 @@ struct RayOffsets {
 };
 
 /// Of rays read in a window of +-h radii. Those that do not cross the edge (see find_crossings) are taken to meet it
-/// where the ellipse is.
+/// where the ellipse is. find_light() fills in the rest, light and neighbours.
 void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses,
-                  std::int32_t half_window_q16, RayOffsets& out) noexcept;
+                  RayOffsets& out) noexcept;
+void find_light(const RaySamples& samples, const EdgeProfile& profile, std::int32_t half_window_q16,
+                RayOffsets& out) noexcept;
+
+/// Takes off what reading between pixels does. A sample that lies f of a pixel beyond one has, blended from both, half
+/// f (1 - f) times the second derivative in it, which moves the edge by where on the grid it lies: by hundredths of a
+/// pixel where it runs along the grid, and there many rays see the same.
+void take_off_blending(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses, const Ellipse& e,
+                       std::int64_t minor_q16, std::int32_t half_window_q16, RayOffsets& io) noexcept;
 
 }  // namespace articam::vision

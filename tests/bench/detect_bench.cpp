@@ -14,8 +14,8 @@
 #include "core/vision/detector.hpp"
 #include "core/vision/imaged_ellipse.hpp"
 #include "core/vision/lens_ellipse.hpp"
-#include "tests/core/vision/marker_scene.hpp"
 #include "tests/bench/ring_scene.hpp"
+#include "tests/core/vision/marker_scene.hpp"
 
 namespace articam {
 namespace {
@@ -74,13 +74,17 @@ Pixels dense_rings(double diameter_px) {
   return pixels;
 }
 
+std::unique_ptr<vision::Detector> calibrated_detector() {
+  return std::make_unique<vision::Detector>(vision::DetectorOptions{.camera = vision::pinhole_of(test::kVga)});
+}
+
 // The slowest of what a scene without marks, or a hostile one, may hold.
 Pixels worst() {
   std::vector<Pixels> frames;
   for (const int size_px : {1, 2, 3, 4}) frames.push_back(checker(size_px));
   for (const unsigned size_px : {1u, 2u, 3u}) frames.push_back(random_blocks(size_px));
   for (const double diameter_px : {10.0, 12.0, 16.0}) frames.push_back(dense_rings(diameter_px));
-  const auto detector = std::make_unique<vision::Detector>();
+  const auto detector = calibrated_detector();
   const auto cost = [&detector](const Pixels& pixels) {
     vision::Detections found;
     auto least = std::chrono::nanoseconds::max();
@@ -96,7 +100,7 @@ Pixels worst() {
 }
 
 void full(benchmark::State& state, const Pixels& pixels) {
-  const auto detector = std::make_unique<vision::Detector>();
+  const auto detector = calibrated_detector();
   vision::Detections found;
   for (auto _ : state) benchmark::DoNotOptimize(detector->detect(test::view_of(pixels), found));
   state.counters["marks"] = static_cast<double>(found.size());
@@ -116,7 +120,7 @@ void tracked(benchmark::State& state, int count) {
     expected.push_back({vision::MarkKind::ring, ellipse_of(marker)});
     expected.back().outer.u_q16 += 65536;
   }
-  const auto detector = std::make_unique<vision::Detector>();
+  const auto detector = calibrated_detector();
   vision::Detections found;
   for (auto _ : state) benchmark::DoNotOptimize(detector->measure(test::view_of(pixels), expected, found));
   state.counters["marks"] = static_cast<double>(found.size());
@@ -130,7 +134,7 @@ void tracked_window(benchmark::State& state, int count) {
     const int u = static_cast<int>(e.u_px), v = static_cast<int>(e.v_px), reach = static_cast<int>(e.major_px) + 10;
     windows.push_back({u - reach, v - reach, u + reach, v + reach});
   }
-  const auto detector = std::make_unique<vision::Detector>();
+  const auto detector = calibrated_detector();
   vision::Detections found;
   for (auto _ : state) benchmark::DoNotOptimize(detector->detect(test::view_of(pixels), windows, found));
   state.counters["marks"] = static_cast<double>(found.size());

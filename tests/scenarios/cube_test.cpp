@@ -164,7 +164,7 @@ TEST_F(Cube, IsTrackedOnRealFramesWithEveryDotWhereAnIndependentMethodFindsIt) {
     worst_px = std::max(worst_px, farthest_px(*tracker_, estimate.q, dots_[k], k));
   }
   EXPECT_LT(worst_px, kMaxDistance_px);
-  EXPECT_GE(tracked, 65);  // in the others the model's 0.1 px contradict the dots' noise of 0.03: degraded
+  EXPECT_GE(tracked, 60);  // in the others the model's 0.1 px contradict the dots' noise of 0.02: degraded
   EXPECT_EQ(most_matched, static_cast<int>(kNumDots));
   RecordProperty("worst_px", std::to_string(worst_px));
   RecordProperty("tracked", tracked);

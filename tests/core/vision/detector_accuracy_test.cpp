@@ -30,7 +30,7 @@ TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
   const Cell cell = GetParam();
   std::mt19937 random(7);
   sim::Renderer renderer(test::kVga, {.light_gradient = cell.light_gradient});
-  DetectorOptions options;
+  DetectorOptions options{.camera = pinhole_of(test::kVga)};
   options.rings = cell.kind == model::MarkerKind::ring;
   options.dots_light_on_dark = cell.kind == model::MarkerKind::dot_light_on_dark;
   options.dots_dark_on_light = cell.kind == model::MarkerKind::dot_dark_on_light;
@@ -63,19 +63,19 @@ constexpr auto kRing = model::MarkerKind::ring, kLight = model::MarkerKind::dot_
 // clang-format off
 INSTANTIATE_TEST_SUITE_P(Cells, DetectorAccuracy, testing::Values(
   //   kind  diameter tilt light   rms   axis  found
-  Cell{kRing,  72,     0,   1,   0.010, 0.002, 1.00},
-  Cell{kRing,  31,     0,   1,   0.012, 0.003, 1.00},
-  Cell{kRing,  20,     0,   1,   0.013, 0.003, 0.99},
-  Cell{kRing,  15,     0,   1,   0.016, 0.003, 0.99},
-  Cell{kRing,  12,     0,   1,   0.020, 0.006, 0.97},
-  Cell{kRing,  31,    40,   1,   0.014, 0.003, 1.00},
-  Cell{kRing,  15,    40,   1,   0.018, 0.003, 0.99},
-  Cell{kRing,  31,    60,   1,   0.017, 0.004, 0.99},
-  Cell{kRing,  20,    60,   1,   0.020, 0.004, 0.99},
-  Cell{kRing,  15,    60,   1,   0.023, 0.006, 0.99},
-  Cell{kRing,  72,    40,   8,   0.024, 0.002, 1.00},
-  Cell{kRing,  31,    30,   8,   0.034, 0.003, 1.00},
-  Cell{kRing,  20,    20,   8,   0.037, 0.003, 1.00},
+  Cell{kRing,  72,     0,   1,   0.0085, 0.002, 1.00},
+  Cell{kRing,  31,     0,   1,   0.0100, 0.003, 1.00},
+  Cell{kRing,  20,     0,   1,   0.0117, 0.003, 0.99},
+  Cell{kRing,  15,     0,   1,   0.0140, 0.003, 0.99},
+  Cell{kRing,  12,     0,   1,   0.0147, 0.006, 0.97},
+  Cell{kRing,  31,    40,   1,   0.0100, 0.003, 1.00},
+  Cell{kRing,  15,    40,   1,   0.0150, 0.003, 0.99},
+  Cell{kRing,  31,    60,   1,   0.0133, 0.004, 0.99},
+  Cell{kRing,  20,    60,   1,   0.0157, 0.004, 0.99},
+  Cell{kRing,  15,    60,   1,   0.0204, 0.006, 0.99},
+  Cell{kRing,  72,    40,   8,   0.0170, 0.002, 1.00},
+  Cell{kRing,  31,    30,   8,   0.0255, 0.003, 1.00},
+  Cell{kRing,  20,    20,   8,   0.0290, 0.003, 1.00},
   Cell{kLight, 31,    40,   1,   0.014, 0.004, 0.99},
   Cell{kLight, 12,     0,   1,   0.027, 0.008, 0.98},
   Cell{kDark,  31,    40,   1,   0.014, 0.004, 0.99},

@@ -85,8 +85,7 @@ TEST(ImagedEllipse, IsRefusedEdgeOnWithoutSizeBehindTheCameraAndOnNaN) {
   EXPECT_EQ(vision::imaged_ellipse<double>({{0, 0, 1}, {0, 0, -1}, 0}).status(), Status::ill_conditioned);
   EXPECT_EQ(vision::imaged_ellipse<double>({{0, 0, 1}, {0, 0, kNaN}, 0.1}).status(), Status::ill_conditioned);
   EXPECT_EQ(vision::imaged_ellipse<double>({{0, 0, -1}, {0, 0, 1}, 0.1}).status(), Status::behind_camera);
-  EXPECT_EQ(vision::moving_ellipse<double>({{0, 0, 0.05}, {0, 0, 1}, 0.1}).status(),
-            Status::behind_camera);
+  EXPECT_EQ(vision::moving_ellipse<double>({{0, 0, 0.05}, {0, 0, 1}, 0.1}).status(), Status::behind_camera);
 }
 
 }  // namespace
