@@ -105,7 +105,6 @@ std::int64_t of_offset_q40(const EdgeFit& outer, const HoleOffset& offset, const
 }
 
 Noise noise_of(const EdgeFit& outer, const EdgeFit& hole, std::int32_t ratio_q16) noexcept {
-  constexpr std::int64_t kGrid_q24 = 4;  // of the pixel grid, px^2, as edge_fit.cpp has it
   const std::int64_t grid = (kGrid_q24 << 32) / std::max<std::int64_t>(mean_square_q16(outer.ellipse), 1);
   const auto bounded = [](std::int64_t v_q40) { return std::clamp(v_q40, kLeast_q40, kMost_q40); };
   const std::int64_t of_outer = bounded(outer.plain_variance_q40 + grid);

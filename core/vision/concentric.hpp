@@ -24,8 +24,9 @@ struct Centre {
 /// two solutions o has is weighted, too. The hole's place is known less than the ring's, by its shorter edge and its
 /// contrast, or as its own rays scatter.
 /// Where what is seen contradicts this by more than four standard deviations, something hides or mirrors in the ring,
-/// or it moved: then c is the outer edge's alone, and what contradicts is added to its variance. Errors  false where
-/// that is more than a tenth of the radius: the edges do not belong together.
+/// or it moved: then c is the outer edge's alone, and what contradicts is added to its variance.
+///
+/// Errors  false where that is more than a tenth of the radius: the edges do not belong together.
 bool join_centres(const EdgeFit& outer, const EdgeFit& hole, const Pinhole& camera, std::int32_t ratio_q16,
                   Centre& out) noexcept;
 

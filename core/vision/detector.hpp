@@ -26,7 +26,7 @@ struct DetectorOptions {
   Pinhole camera{};                    ///< tells where a hole is seen in its ring; else likely_pinhole() does
 
   constexpr bool ok() const noexcept {
-    return !rings || (ring_ratio_q16 >= kMinRingRatio_q16 && ring_ratio_q16 <= kMaxRingRatio_q16);
+    return !rings || (ring_ratio_q16 >= kMinRingRatio_q16 && ring_ratio_q16 <= kMaxRingRatio_q16 && camera.ok());
   }
 };
 
@@ -43,8 +43,8 @@ class Detector {
   explicit Detector(const DetectorOptions& options = {}) noexcept : options_{options} {}
 
   /// Every mark of the whole frame, in the order of its rows.
-  /// Errors  bad_argument when the view may not be read (see ImageView::ok), or the ratio of the rings is out of
-  ///         range; `out` is unchanged then.
+  /// Errors  bad_argument when the view may not be read (see ImageView::ok), or the rings' ratio or the camera's
+  ///         numbers are out of range; `out` is unchanged then.
   Status detect(const ImageView& image, Detections& out) noexcept;
 
   /// Only marks that lie wholly inside one of the windows, each of them once.

@@ -181,7 +181,6 @@ std::int64_t dependence_q16(std::int64_t mean_square_q16, int rays, std::int64_t
 // centre = M c, and each of c's variances is 2 / rays of the scatter; the mean of those of u and v. A semi-axis is
 // M (1 + s + p): three halves of it, and a third of what undo_blur() adds, which the window's narrowness limits.
 void put_variances(const Edge& edge, const Pass& pass, EdgeFit& fit) noexcept {
-  constexpr std::int64_t kGrid_q24 = 4;  // 0.0005 px: what the pixel grid does to edges without any noise
   constexpr std::int64_t kCutOff_q24 = (1 << 24) / 2500;  // 0.02 px: what moves an edge whose end is cut off
   const std::int64_t square_q16 = mean_square_q16(fit.ellipse);
   const std::int64_t blur_q16 = integer_sqrt(edge.width_q16 << kQ16) * pass.radius_q16 >> kQ16;

@@ -59,7 +59,8 @@ bool fit_edge(const ImageView& image, Inside inside, Reading reading, std::int32
 /// are (p / v)^3.  p and v below 2^46, in the same unit.
 std::int64_t belief_in_light_q16(std::int64_t p, std::int64_t v) noexcept;
 
-inline constexpr int kLooksPerRay = 18;  ///< what a ray costs, in pixels looked at by the search
-inline constexpr int kRaysPerPass = 8;   ///< what a reading costs besides its rays
+inline constexpr std::int64_t kGrid_q24 = 4;  ///< px^2: what the pixel grid does to centres without any noise
+inline constexpr int kLooksPerRay = 18;       ///< what a ray costs, in pixels looked at by the search
+inline constexpr int kRaysPerPass = 8;        ///< what a reading costs besides its rays
 
 }  // namespace articam::vision

@@ -25,13 +25,15 @@ std::int32_t to_q16(double px) noexcept {
 Pinhole pinhole_of(const CameraParameters& camera) noexcept {
   const bool distorts =
       std::any_of(camera.distortion.begin(), camera.distortion.end(), [](double k) { return k != 0; });
-  return {to_q16(std::sqrt(camera.fx_px * camera.fy_px)), to_q16(camera.cx_px), to_q16(camera.cy_px),
-          distorts ? kOne_q16 / 2 : kOne_q16 / 512};
+  const double focal_px = std::sqrt(camera.fx_px * camera.fy_px);
+  if (!(focal_px * kOne_q16 >= kMinFocal_q16)) return {};  // also a NaN
+  return {to_q16(focal_px), to_q16(camera.cx_px), to_q16(camera.cy_px), distorts ? kOne_q16 / 2 : kOne_q16 / 512};
 }
 
 Pinhole likely_pinhole(int width_px, int height_px) noexcept {
   const auto half_q16 = [](int size_px) { return (size_px - 1) * (kOne_q16 / 2); };
-  return {width_px * (kOne_q16 / 5 * 4), half_q16(width_px), half_q16(height_px), kOne_q16 / 4};
+  return {std::max(width_px * (kOne_q16 / 5 * 4), kMinFocal_q16), half_q16(width_px), half_q16(height_px),
+          kOne_q16 / 4};
 }
 
 bool hole_offset(const Ellipse& ring, const Pinhole& camera, std::int32_t ratio_q16, HoleOffset& out) noexcept {

@@ -8,16 +8,22 @@
 
 namespace articam::vision {
 
+inline constexpr std::int32_t kMinFocal_q16 = 16 << 16;  // px; keeps the integers below in their range
+
 /// A camera as far as that needs it.
 struct Pinhole {
-  std::int32_t focal_q16{};       ///< px; 0: not known
+  std::int32_t focal_q16{};       ///< px, from kMinFocal_q16 on; 0: not known
   std::int32_t u_q16{}, v_q16{};  ///< principal point, px
-  std::int32_t unsure_q16{};      ///< standard deviation of an offset, as a share of HoleOffset::scale_q16
-  constexpr bool known() const noexcept { return focal_q16 > 0; }
+  std::int32_t unsure_q16{};      ///< standard deviation of an offset, as a share of HoleOffset::scale_q16, 0 to 1
+
+  constexpr bool known() const noexcept { return focal_q16 != 0; }
+  constexpr bool ok() const noexcept {
+    return !known() || (focal_q16 >= kMinFocal_q16 && unsure_q16 >= 0 && unsure_q16 <= 1 << 16);
+  }
 };
 
-/// Of a calibrated camera. The offset is of second order in size by distance, and so is what a lens that distorts adds
-/// to it, which is not known here.
+/// Of a calibrated camera; not known where its focal length is below kMinFocal_q16. The offset is of second order in
+/// size by distance, and so is what a lens that distorts adds to it, which is not known here.
 Pinhole pinhole_of(const CameraParameters& camera) noexcept;
 
 /// Of a camera of which only the frame's size is known: about 64 degrees across, as most are.

@@ -106,7 +106,7 @@ std::int64_t RayOffsets::scatter_q16(const Harmonic& first_q16, const Harmonic& 
   return std::max<std::int64_t>(power_q16, 0) / (rays - kUnknowns);
 }
 
-// Both products, of the rays less those of the profile, are shares of D.F and G.G.
+// The product, of a ray less that of the profile, is a share of D.F.
 void find_offsets(const RaySamples& samples, const EdgeProfile& profile, const PerRay& crosses,
                   RayOffsets& out) noexcept {
   const PerSample& F = profile.filter_q4;

@@ -68,6 +68,17 @@ TEST(HoleOffset, RefusesWhatIsFarOffTheAxis) {
   EXPECT_FALSE(vision::hole_offset({2300 << 16, 0, 9 << 16, 0, 9 << 16}, camera, kRatio_q16, offset));
 }
 
+TEST(Pinhole, OfNumbersThatAreNoCamerasIsNotKnown) {
+  CameraParameters camera = test::kVga;
+  for (const double fx_px : {0.0, 15.0 * 15 / 525, -525.0, std::nan("")}) {
+    camera.fx_px = fx_px;
+    EXPECT_FALSE(vision::pinhole_of(camera).known()) << fx_px;
+  }
+  EXPECT_TRUE(vision::pinhole_of(test::kVga).ok());
+  EXPECT_FALSE((vision::Pinhole{.focal_q16 = -1}.ok()));
+  EXPECT_FALSE((vision::Pinhole{.focal_q16 = 525 << 16, .unsure_q16 = -1}.ok()));
+}
+
 TEST(Pinhole, OfAnUnknownCameraIsNearThatOfMost) {
   const vision::Pinhole likely = vision::likely_pinhole(640, 480), known = vision::pinhole_of(test::kVga);
   EXPECT_NEAR(vision::from_q16(likely.focal_q16), 525, 30);

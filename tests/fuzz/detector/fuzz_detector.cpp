@@ -27,6 +27,14 @@ DetectorOptions odd_options(FuzzedDataProvider& bytes) {
   options.dots_dark_on_light = bytes.ConsumeBool();
   if (bytes.ConsumeBool()) options.ring_ratio_q16 = bytes.ConsumeIntegralInRange(kMinRingRatio_q16, kMaxRingRatio_q16);
   if (bytes.ConsumeIntegral<std::uint8_t>() == 1) options.ring_ratio_q16 = bytes.ConsumeIntegral<std::int32_t>();
+  if (bytes.ConsumeBool()) {
+    options.camera = {bytes.ConsumeIntegral<std::int32_t>(), bytes.ConsumeIntegral<std::int32_t>(),
+                      bytes.ConsumeIntegral<std::int32_t>(), bytes.ConsumeIntegral<std::int32_t>()};
+  } else if (bytes.ConsumeBool()) {
+    options.camera = {bytes.ConsumeIntegralInRange(kMinFocal_q16, 4096 << 16),
+                      bytes.ConsumeIntegralInRange(0, 640 << 16), bytes.ConsumeIntegralInRange(0, 480 << 16),
+                      bytes.ConsumeIntegralInRange(0, 1 << 16)};
+  }
   return options;
 }
 
