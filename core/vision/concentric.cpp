@@ -45,12 +45,6 @@ struct Estimate {
   std::int64_t contradicts_q40;  // squared, where it does
 };
 
-// tanh of z, below 3 to 0.02.
-std::int64_t tanh_q16(std::int64_t z_q16) noexcept {
-  const std::int64_t z = std::clamp<std::int64_t>(z_q16, -3 * kOne_q16, 3 * kOne_q16), z2 = z * z >> kQ16;
-  return z * (27 * kOne_q16 + z2) / (27 * kOne_q16 + 9 * z2);
-}
-
 // The offset's part that has a sign, and what is not known of it: d less it has the variance `of_seen_q40`.
 struct Sided {
   std::int64_t offset_q24, variance_q40;
@@ -63,8 +57,7 @@ Sided likely_side(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t of_
 }
 
 // c from  0 = c, d = c + o.
-Estimate in_even_light(std::int64_t seen_q24, std::int64_t half_q24, const Noise& noise) noexcept {
-  const Sided side = likely_side(seen_q24, half_q24, noise.outer + noise.hole + noise.offset);
+Estimate in_even_light(std::int64_t seen_q24, const Sided& side, const Noise& noise) noexcept {
   const std::int64_t of_hole = noise.hole + noise.offset + side.variance_q40;
   const std::int64_t weight_q16 = share_q16(noise.outer, noise.outer + of_hole);
   return {(seen_q24 - side.offset_q24) * weight_q16 >> kQ16, noise.outer * (kOne_q16 - weight_q16) >> kQ16, 0};
@@ -92,14 +85,19 @@ Estimate in_any_light(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t
           square_q40(left_q24) > 16 * (of_beside + side.variance_q40) ? square_q40(left_q24) : 0};
 }
 
-// The offset's half is the root of a square that is known by the ring's axes only: near 0 its direction is not known.
-std::int64_t of_offset_q40(const EdgeFit& outer, const HoleOffset& offset, const Pinhole& camera,
-                           std::int64_t half_q24) noexcept {
+// The offset's half is the root of a square that is known by how the ring's axes differ: near 0 its direction is not
+// known. What blur may have left of the axes differs as their squares do.
+std::int64_t of_offset_q40(const EdgeFit& outer, std::int64_t of_outer_q40, const HoleOffset& offset,
+                           const Pinhole& camera, std::int64_t half_q24) noexcept {
+  const std::int64_t minor2_q16 = square(minor_q16(outer.ellipse)) >> kQ16;
+  const std::int64_t major2_q16 = std::max<std::int64_t>(2 * mean_square_q16(outer.ellipse) - minor2_q16, 1);
+  const std::int64_t differ_q16 = std::max<std::int64_t>(kOne_q16 - share_q16(minor2_q16, major2_q16), 0);
+  const std::int64_t of_axes_q40 =
+      std::min((2 * std::int64_t{outer.axis_variance_q24} << 28) / (major2_q16 >> 4 | 1), kMost_q40);
+  const std::int64_t of_share_q40 = 4 * of_outer_q40 + (of_axes_q40 * (square(differ_q16) >> kQ16) >> kQ16);
   const std::int64_t scale_q24 = (std::int64_t{offset.scale_q16} << kQ24) / offset.major_q16;
-  const std::int64_t major2_q16 = std::max<std::int64_t>(square(offset.major_q16) >> kQ16, 1);
-  const std::int64_t share_q24 =
-      integer_sqrt((2 * std::int64_t{outer.axis_variance_q24} << (kQ16 + kQ24)) / major2_q16);
-  const std::int64_t of_square = std::min(square_q40(scale_q24) * share_q24 >> kQ24, std::int64_t{1} << 31);
+  const std::int64_t of_square =
+      std::min(square_q40(scale_q24) * integer_sqrt(of_share_q40 << 8) >> kQ24, std::int64_t{1} << 31);
   return of_square * of_square / (square_q40(half_q24) + 2 * of_square + 1) +
          square_q40(scale_q24 * camera.unsure_q16 >> kQ16);
 }
@@ -148,27 +146,32 @@ Estimate weighed(const Estimate& any, const Estimate& even, std::int64_t belief_
 bool join_centres(const EdgeFit& outer, const EdgeFit& hole, const Pinhole& camera, std::int32_t ratio_q16,
                   Centre& out) noexcept {
   const Ellipse& e = outer.ellipse;
-  out = {e.u_q16, e.v_q16, outer.centre_variance_q24};
+  out = {e.u_q16, e.v_q16, outer.centre_variance_q24, kOne_q16};
   HoleOffset offset;
   if (!hole_offset(e, camera, ratio_q16, offset)) return true;
   const auto [turn, d, l, half_q24] = sight_of(outer, hole, offset);
   Noise noise = noise_of(outer, hole, ratio_q16);
-  noise.offset = of_offset_q40(outer, offset, camera, half_q24);
+  noise.offset = of_offset_q40(outer, noise.outer, offset, camera, half_q24);
 
   // Found by measuring rendered rings of 12 to 72 px, in even light and in light of 8:1: light is believed in from
   // twice its variance on, and errors are a little below what this model says.
   const std::int64_t belief_q16 = belief_in_light_q16(square_q40(l.a) + square_q40(l.b), 2 * noise.light);
-  const Estimate a = weighed(in_any_light(d.a, half_q24, l.a, noise), in_even_light(d.a, half_q24, noise), belief_q16);
-  const Estimate b = weighed(in_any_light(d.b, 0, l.b, noise), in_even_light(d.b, 0, noise), belief_q16);
+  const Sided side = likely_side(d.a, half_q24, noise.outer + noise.hole + noise.offset);
+  const Estimate a = weighed(in_any_light(d.a, half_q24, l.a, noise), in_even_light(d.a, side, noise), belief_q16);
+  const Estimate b = weighed(in_any_light(d.b, 0, l.b, noise), in_even_light(d.b, {}, noise), belief_q16);
   if (const std::int64_t by_q40 = a.contradicts_q40 + b.contradicts_q40; by_q40 > 0) {
     constexpr std::int64_t kTenth_q40 = (std::int64_t{1} << 40) / 100;
     out.variance_q24 = to_variance_q24(outer.centre_variance_q24 + in_px_q24(e, by_q40 / 2));
     return by_q40 < kTenth_q40;
   }
-  const Shift c = turn.back({a.place_q24, b.place_q24});
+  const Shift c = turn.back({a.place_q24, b.place_q24}), sided = turn.back({side.offset_q24, 0});
+  const Shift mean = in_radii(e, offset.mean_u_q16, offset.mean_v_q16);
   out = {outer.plain_u_q16 + static_cast<std::int32_t>(e.m00_q16 * c.a >> kQ24),
          outer.plain_v_q16 + static_cast<std::int32_t>((e.m10_q16 * c.a + e.m11_q16 * c.b) >> kQ24),
-         to_variance_q24(in_px_q24(e, (a.variance_q40 + b.variance_q40) * 12 / 25))};
+         to_variance_q24(in_px_q24(e, (a.variance_q40 + b.variance_q40) * 12 / 25)),
+         belief_q16,
+         {mean.a + sided.a, mean.b + sided.b},
+         noise.offset + side.variance_q40};
   return true;
 }
 

@@ -8,10 +8,13 @@
 
 namespace articam::vision {
 
-/// Centre of a ring's outer edge.
+/// Centre of a ring's outer edge, and what goes with it.
 struct Centre {
-  std::int32_t u_q16{}, v_q16{};  ///< px
-  std::uint32_t variance_q24{};   ///< of u and of v, px^2
+  std::int32_t u_q16{}, v_q16{};     ///< px
+  std::uint32_t variance_q24{};      ///< of u and of v, px^2
+  std::int64_t uneven_q16{};         ///< how far light is believed to be uneven; 1 where the edges do not agree
+  Shift hole_q24{};                  ///< the hole's offset from it, as perspective makes it, in radii of the ring
+  std::int64_t hole_variance_q40{};  ///< of that, a and b together, squared radii
 };
 
 /// Light that falls unevenly moves a dark disc's edge one way and a light one's the other. In radii of the outer edge,

@@ -6,6 +6,7 @@
 #include "core/vision/edge_fit.hpp"
 #include "core/vision/ellipse_shape.hpp"
 #include "core/vision/fixed_point.hpp"
+#include "core/vision/point_symmetry.hpp"
 
 namespace articam::vision {
 namespace {
@@ -58,6 +59,7 @@ bool measure_ring(const ImageView& image, const Ellipse& seed, std::int32_t rati
   if (!is_an_ellipse(inner, 2) || !belong_together(outer, inner, ratio_q16)) return false;
   Centre centre;
   if (!join_centres(outer, inner, camera, ratio_q16, centre)) return false;
+  weigh_symmetry(image, outer, ratio_q16, budget, centre);
   put(outer, MarkKind::ring, out);
   out.outer.u_q16 = centre.u_q16, out.outer.v_q16 = centre.v_q16;
   out.centre_variance_q24 = centre.variance_q24;

@@ -22,6 +22,7 @@ struct Cell {
   double max_rms_px;      ///< of the centre, 2-D
   double max_axis_error;  ///< of the major axis's mean, relative
   double min_found;
+  double blur_px = 0.7;
 };
 
 class DetectorAccuracy : public testing::TestWithParam<Cell> {};
@@ -29,7 +30,7 @@ class DetectorAccuracy : public testing::TestWithParam<Cell> {};
 TEST_P(DetectorAccuracy, IsAFewHundredthsOfAPixelAndTheVarianceSaysSo) {
   const Cell cell = GetParam();
   std::mt19937 random(7);
-  sim::Renderer renderer(test::kVga, {.light_gradient = cell.light_gradient});
+  sim::Renderer renderer(test::kVga, {.blur_px = cell.blur_px, .light_gradient = cell.light_gradient});
   DetectorOptions options{.camera = pinhole_of(test::kVga)};
   options.rings = cell.kind == model::MarkerKind::ring;
   options.dots_light_on_dark = cell.kind == model::MarkerKind::dot_light_on_dark;
@@ -73,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Cells, DetectorAccuracy, testing::Values(
   Cell{kRing,  31,    60,   1,   0.0133, 0.004, 0.99},
   Cell{kRing,  20,    60,   1,   0.0157, 0.004, 0.99},
   Cell{kRing,  15,    60,   1,   0.0204, 0.006, 0.99},
+  Cell{kRing,  31,    60,   1,   0.0235, 0.012, 0.99, 2.0},
+  Cell{kRing,  12,    60,   1,   0.0260, 0.012, 0.95},
   Cell{kRing,  72,    40,   8,   0.0170, 0.002, 1.00},
   Cell{kRing,  31,    30,   8,   0.0255, 0.003, 1.00},
   Cell{kRing,  20,    20,   8,   0.0290, 0.003, 1.00},

@@ -1,0 +1,153 @@
+#include "core/vision/point_symmetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/math/types.hpp"
+#include "core/vision/fixed_point.hpp"
+#include "tests/support/random_state.hpp"
+
+// A dark ellipse so blurred that it has no edges left: 200 - 150 exp(-|M^-1 (x - c)|^2 / (2 kWidth^2)).
+namespace articam {
+namespace {
+
+using vision::Centre;
+using vision::EdgeFit;
+using vision::kOne_q16;
+
+constexpr std::int32_t kRatio_q16 = 26859;
+constexpr double kWidth = 0.45, kNoise_grey = 4;
+const Vec<double, 2> kCentre_px{40.3, 31.8};
+
+std::int32_t q16(double px) { return static_cast<std::int32_t>(std::lround(px * 65536)); }
+
+Mat<double, 2, 2> axes() { return (Mat<double, 2, 2>{} << 9, 0, 2, 8).finished(); }
+
+struct Blob {
+  static constexpr int kSize_px = 80;
+  std::vector<std::uint8_t> pixels;
+
+  explicit Blob(test::Random* noise) : pixels(kSize_px * kSize_px) {
+    const Mat<double, 2, 2> in_radii = axes().inverse();
+    for (int v = 0; v < kSize_px; ++v)
+      for (int u = 0; u < kSize_px; ++u) {
+        const double square = (in_radii * (Vec<double, 2>(u, v) - kCentre_px)).squaredNorm();
+        const double grey = 200 - 150 * std::exp(-square / (2 * kWidth * kWidth));
+        const double seen = grey + (noise != nullptr ? kNoise_grey * noise->gaussian() : 0);
+        pixels[static_cast<std::size_t>(v * kSize_px + u)] = static_cast<std::uint8_t>(std::lround(seen));
+      }
+  }
+  ImageView view() const { return {pixels.data(), kSize_px, kSize_px, kSize_px}; }
+};
+
+EdgeFit blurred_edge() {
+  EdgeFit outer;
+  outer.ellipse = {q16(40), q16(32), q16(axes()(0, 0)), q16(axes()(1, 0)), q16(axes()(1, 1))};
+  outer.blur_q8 = 4 * 256;
+  return outer;
+}
+
+Centre at(double u_px, double v_px) {
+  Centre centre;
+  centre.u_q16 = q16(u_px), centre.v_q16 = q16(v_px);
+  centre.variance_q24 = 1 << 20;
+  return centre;
+}
+
+Vec<double, 2> place(const Centre& c) { return {vision::from_q16(c.u_q16), vision::from_q16(c.v_q16)}; }
+
+void weigh(const Blob& blob, const EdgeFit& outer, Centre& io) {
+  int budget = 0;
+  weigh_symmetry(blob.view(), outer, kRatio_q16, budget, io);
+}
+
+TEST(PointSymmetry, FindsTheMiddleOfWhatHasNoEdges) {
+  Centre centre = at(40.15, 31.95);
+  weigh(Blob{nullptr}, blurred_edge(), centre);
+  EXPECT_LT((place(centre) - kCentre_px).norm(), 0.01);
+  weigh(Blob{nullptr}, blurred_edge(), centre);
+  EXPECT_LT((place(centre) - kCentre_px).norm(), 0.002);
+}
+
+// What no unbiased estimate falls below: grad I grad I^T / noise^2, summed over the pixels within 1.1 radii.
+TEST(PointSymmetry, ErrsAsLittleAsNoiseAllows) {
+  const Mat<double, 2, 2> in_radii = axes().inverse();
+  Mat<double, 2, 2> information = Mat<double, 2, 2>::Zero();
+  for (int v = 0; v < Blob::kSize_px; ++v)
+    for (int u = 0; u < Blob::kSize_px; ++u) {
+      const Vec<double, 2> x = in_radii * (Vec<double, 2>(u, v) - kCentre_px);
+      if (x.norm() > 1.1) continue;
+      const Vec<double, 2> slope =
+          150 * std::exp(-x.squaredNorm() / (2 * kWidth * kWidth)) / (kWidth * kWidth) * (in_radii.transpose() * x);
+      information += slope * slope.transpose() / (kNoise_grey * kNoise_grey);
+    }
+  const double bound_px = std::sqrt(information.inverse().trace());
+
+  test::Random random{11};
+  double squared = 0, normalised = 0;
+  constexpr int kTrials = 600;
+  for (int i = 0; i < kTrials; ++i) {
+    Centre centre = at(kCentre_px.x() + 0.02 * random.gaussian(), kCentre_px.y() + 0.02 * random.gaussian());
+    weigh(Blob{&random}, blurred_edge(), centre);
+    const double square = (place(centre) - kCentre_px).squaredNorm();
+    squared += square, normalised += square / 2 / (centre.variance_q24 / 16777216.0);
+  }
+  EXPECT_NEAR(std::sqrt(squared / kTrials) / bound_px, 1.05, 0.08);
+  EXPECT_NEAR(normalised / kTrials, 1.1, 0.4);  // its share of noise was found with rings
+}
+
+TEST(PointSymmetry, CountsAsMuchAsLightIsEven) {
+  Centre half = at(40.15, 31.95), none = half;
+  half.uneven_q16 = kOne_q16 / 2;
+  weigh(Blob{nullptr}, blurred_edge(), half);
+  EXPECT_NEAR(place(half).x(), (40.15 + kCentre_px.x()) / 2, 0.003);
+  EXPECT_NEAR(place(half).y(), (31.95 + kCentre_px.y()) / 2, 0.003);
+  EXPECT_GT(half.variance_q24 / 16777216.0, (place(half) - kCentre_px).squaredNorm() / 2);  // it is one or the other
+
+  none.uneven_q16 = kOne_q16;
+  weigh(Blob{nullptr}, blurred_edge(), none);
+  EXPECT_EQ(place(none), place(at(40.15, 31.95)));
+}
+
+TEST(PointSymmetry, IsNotAskedWhereEdgesAreNarrowOrHidden) {
+  const Vec<double, 2> before{40.15, 31.95};
+  EdgeFit sharp = blurred_edge(), hidden = sharp;
+  sharp.blur_q8 = 128, hidden.flaws = vision::kOccluded;
+  for (const EdgeFit& outer : {sharp, hidden}) {
+    Centre centre = at(before.x(), before.y());
+    weigh(Blob{nullptr}, outer, centre);
+    EXPECT_EQ(place(centre), place(at(before.x(), before.y())));
+  }
+}
+
+// Something bright before one side of it: the rest grows, and with it the variance, beyond what the edges claim.
+TEST(PointSymmetry, OfWhatIsNotSymmetricIsUnsureOrNotAsked) {
+  Blob blob{nullptr};
+  Centre whole = at(40.2, 31.9), hidden = whole, claimed = whole;
+  weigh(blob, blurred_edge(), whole);
+  for (int v = 30; v < 34; ++v)
+    for (int u = 44; u < 48; ++u) blob.pixels[static_cast<std::size_t>(v * Blob::kSize_px + u)] = 200;
+  weigh(blob, blurred_edge(), hidden);
+  EXPECT_GT(hidden.variance_q24, 100 * whole.variance_q24);
+
+  claimed.variance_q24 = hidden.variance_q24 / 3;
+  const Vec<double, 2> before = place(claimed);
+  weigh(blob, blurred_edge(), claimed);
+  EXPECT_EQ(place(claimed), before);
+}
+
+TEST(PointSymmetry, OfAFlatImageChangesNothing) {
+  Blob blob{nullptr};
+  std::fill(blob.pixels.begin(), blob.pixels.end(), std::uint8_t{90});
+  Centre centre = at(40.15, 31.95);
+  weigh(blob, blurred_edge(), centre);
+  EXPECT_EQ(place(centre), place(at(40.15, 31.95)));
+  EXPECT_EQ(centre.variance_q24, 1u << 20);
+}
+
+}  // namespace
+}  // namespace articam
