@@ -40,15 +40,11 @@ struct Noise {
   std::int32_t ratio_q16;
 };
 
-struct Estimate {
-  std::int64_t place_q24, variance_q40;
-  std::int64_t contradicts_q40;  // squared, where it does
-};
-
 // The offset's part that has a sign, and what is not known of it: d less it has the variance `of_seen_q40`.
 struct Sided {
   std::int64_t offset_q24, variance_q40;
 };
+
 Sided likely_side(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t of_seen_q40) noexcept {
   const std::int64_t most = std::int64_t{1} << 45;
   const std::int64_t product = std::clamp((seen_q24 * half_q24) >> 8, -most, most);
@@ -56,11 +52,18 @@ Sided likely_side(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t of_
   return {half_q24 * t_q16 >> kQ16, square_q40(half_q24) * (kOne_q16 - (t_q16 * t_q16 >> kQ16)) >> kQ16};
 }
 
+struct Estimate {
+  std::int64_t place_q24, variance_q40;
+  std::int64_t contradicts_q40;  // squared, where it does
+  Sided side;
+};
+
 // c from  0 = c, d = c + o.
-Estimate in_even_light(std::int64_t seen_q24, const Sided& side, const Noise& noise) noexcept {
+Estimate in_even_light(std::int64_t seen_q24, std::int64_t half_q24, const Noise& noise) noexcept {
+  const Sided side = likely_side(seen_q24, half_q24, noise.outer + noise.hole + noise.offset);
   const std::int64_t of_hole = noise.hole + noise.offset + side.variance_q40;
   const std::int64_t weight_q16 = share_q16(noise.outer, noise.outer + of_hole);
-  return {(seen_q24 - side.offset_q24) * weight_q16 >> kQ16, noise.outer * (kOne_q16 - weight_q16) >> kQ16, 0};
+  return {(seen_q24 - side.offset_q24) * weight_q16 >> kQ16, noise.outer * (kOne_q16 - weight_q16) >> kQ16, 0, side};
 }
 
 // c and x from  0 = c - x, d = c + o + k x, l = x, in weights by the first's.
@@ -82,7 +85,7 @@ Estimate in_any_light(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t
   const std::int64_t r0_q24 = h * y_q24 >> kQ16, r1_q24 = (kh * y_q24 + l * light_q24) >> kQ16;
   const std::int64_t det_q16 = (A * C - B * B) >> kQ16;
   return {(C * r0_q24 - B * r1_q24) / det_q16, (noise.outer * share_q16(C, det_q16)) >> kQ16,
-          square_q40(left_q24) > 16 * (of_beside + side.variance_q40) ? square_q40(left_q24) : 0};
+          square_q40(left_q24) > 16 * (of_beside + side.variance_q40) ? square_q40(left_q24) : 0, side};
 }
 
 // The offset's half is the root of a square that is known by how the ring's axes differ: near 0 its direction is not
@@ -133,12 +136,13 @@ Sight sight_of(const EdgeFit& outer, const EdgeFit& hole, const HoleOffset& offs
 
 // One coordinate: where light is uneven, where it is even, and the mean of both by how likely they are.
 Estimate weighed(const Estimate& any, const Estimate& even, std::int64_t belief_q16) noexcept {
+  const auto mixed = [belief_q16](std::int64_t e, std::int64_t a) { return e + ((a - e) * belief_q16 >> kQ16); };
   const std::int64_t apart_q24 = any.place_q24 - even.place_q24;
   const std::int64_t unsure_q16 = belief_q16 * (kOne_q16 - belief_q16) >> kQ16;
-  return {even.place_q24 + (apart_q24 * belief_q16 >> kQ16),
-          even.variance_q40 + ((any.variance_q40 - even.variance_q40) * belief_q16 >> kQ16) +
-              (square_q40(apart_q24) * unsure_q16 >> kQ16),
-          any.contradicts_q40};
+  return {mixed(even.place_q24, any.place_q24),
+          mixed(even.variance_q40, any.variance_q40) + (square_q40(apart_q24) * unsure_q16 >> kQ16),
+          any.contradicts_q40,
+          {mixed(even.side.offset_q24, any.side.offset_q24), mixed(even.side.variance_q40, any.side.variance_q40)}};
 }
 
 }  // namespace
@@ -146,7 +150,7 @@ Estimate weighed(const Estimate& any, const Estimate& even, std::int64_t belief_
 bool join_centres(const EdgeFit& outer, const EdgeFit& hole, const Pinhole& camera, std::int32_t ratio_q16,
                   Centre& out) noexcept {
   const Ellipse& e = outer.ellipse;
-  out = {e.u_q16, e.v_q16, outer.centre_variance_q24, kOne_q16};
+  out = {e.u_q16, e.v_q16, outer.centre_variance_q24};
   HoleOffset offset;
   if (!hole_offset(e, camera, ratio_q16, offset)) return true;
   const auto [turn, d, l, half_q24] = sight_of(outer, hole, offset);
@@ -156,22 +160,22 @@ bool join_centres(const EdgeFit& outer, const EdgeFit& hole, const Pinhole& came
   // Found by measuring rendered rings of 12 to 72 px, in even light and in light of 8:1: light is believed in from
   // twice its variance on, and errors are a little below what this model says.
   const std::int64_t belief_q16 = belief_in_light_q16(square_q40(l.a) + square_q40(l.b), 2 * noise.light);
-  const Sided side = likely_side(d.a, half_q24, noise.outer + noise.hole + noise.offset);
-  const Estimate a = weighed(in_any_light(d.a, half_q24, l.a, noise), in_even_light(d.a, side, noise), belief_q16);
-  const Estimate b = weighed(in_any_light(d.b, 0, l.b, noise), in_even_light(d.b, {}, noise), belief_q16);
+  const Estimate a = weighed(in_any_light(d.a, half_q24, l.a, noise), in_even_light(d.a, half_q24, noise), belief_q16);
+  const Estimate b = weighed(in_any_light(d.b, 0, l.b, noise), in_even_light(d.b, 0, noise), belief_q16);
   if (const std::int64_t by_q40 = a.contradicts_q40 + b.contradicts_q40; by_q40 > 0) {
     constexpr std::int64_t kTenth_q40 = (std::int64_t{1} << 40) / 100;
     out.variance_q24 = to_variance_q24(outer.centre_variance_q24 + in_px_q24(e, by_q40 / 2));
     return by_q40 < kTenth_q40;
   }
-  const Shift c = turn.back({a.place_q24, b.place_q24}), sided = turn.back({side.offset_q24, 0});
+  const Shift c = turn.back({a.place_q24, b.place_q24}), sided = turn.back({a.side.offset_q24, 0});
   const Shift mean = in_radii(e, offset.mean_u_q16, offset.mean_v_q16);
   out = {outer.plain_u_q16 + static_cast<std::int32_t>(e.m00_q16 * c.a >> kQ24),
          outer.plain_v_q16 + static_cast<std::int32_t>((e.m10_q16 * c.a + e.m11_q16 * c.b) >> kQ24),
          to_variance_q24(in_px_q24(e, (a.variance_q40 + b.variance_q40) * 12 / 25)),
+         true,
          belief_q16,
          {mean.a + sided.a, mean.b + sided.b},
-         noise.offset + side.variance_q40};
+         noise.offset + a.side.variance_q40};
   return true;
 }
 

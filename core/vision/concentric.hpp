@@ -12,7 +12,8 @@ namespace articam::vision {
 struct Centre {
   std::int32_t u_q16{}, v_q16{};     ///< px
   std::uint32_t variance_q24{};      ///< of u and of v, px^2
-  std::int64_t uneven_q16{};         ///< how far light is believed to be uneven; 1 where the edges do not agree
+  bool edges_agree{};                ///< what follows is known
+  std::int64_t uneven_q16{};         ///< how far light is believed to be uneven, 0 to 1
   Shift hole_q24{};                  ///< the hole's offset from it, as perspective makes it, in radii of the ring
   std::int64_t hole_variance_q40{};  ///< of that, a and b together, squared radii
 };

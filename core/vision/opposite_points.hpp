@@ -9,41 +9,43 @@
 
 namespace articam::vision {
 
-/// 13 samples lie a step apart on a ray from the middle to 1.15 radii. Two windows of eight show them, two of them
-/// twice, so that all but the first and the last are between two others.
-inline constexpr int kSteps = 13, kStepWindows = 2;
-inline constexpr std::array<int, kStepWindows> kFirstStep{0, 6};
-inline constexpr std::int32_t kStep_q16 = 23 * kOne_q16 / 20 / kSteps;  ///< radii
-static_assert(kFirstStep.back() + kSamples - 1 == kSteps);
+/// Samples lie a step apart on a ray from the middle outwards. Windows of eight overlap, so that all but the first and
+/// the last are between two others: steps 1 to 6, 7 to 12 (1.06 radii), and 13 and 14 (1.24) on the border of the mark.
+inline constexpr std::int32_t kStep_q16 = 23 * kOne_q16 / 20 / 13;  ///< radii
+inline constexpr int kStepsInRing = 12, kStepsWithBorder = 14;
 
 /// Something at each sample of a window.
 using Lane = std::array<std::int32_t, kSamples>;
 
-/// At each sample of a window, products summed over half a turn: of the slopes of S along a and b, the coordinates of
-/// the normalised plane, Q3 grey a step, and of D, Q4 grey. S is the mean of the two opposite points, smooth along the
-/// turn (harmonics 0, 2 and 4), D the one less the other.
+/// At each sample of a window, products summed over half a turn. S is the mean of two opposite points, smooth along the
+/// turn (harmonics 0, 2 and 4); a and b are its slopes along the coordinates of the normalised plane, Q3 grey a step;
+/// x and y are S times the direction of the ray, Q3 grey; D is one point less the other, Q4 grey.
 struct OppositeSums {
-  Lane aa{}, ab{}, bb{}, aD{}, bD{}, DD{};
+  Lane aa{}, ab{}, bb{}, xx{}, xy{}, yy{}, ax{}, ay{}, bx{}, by{};
+  Lane aD{}, bD{}, xD{}, yD{}, DD{};
 };
 
-/// Of a ring, by 32, 64 or 128 rays.
+/// Of a ring, by 32, 64 or 128 rays, to its edge or with its border.
 class OppositePoints {
  public:
-  OppositePoints(const ImageView& image, const Ellipse& ring, int rays) noexcept;
+  OppositePoints(const ImageView& image, const Ellipse& ring, int rays, int steps) noexcept;
 
   /// use(sums, j, i, inside_q16) for sample j of those sums, i steps from the middle, which is its share of the area,
-  /// with 1 - r^2 at its radius r; of every sample between two others.
+  /// with 1 - r^2 at its radius r; of the steps 1 to `steps`, not above those that were read.
   template <class Use>
-  void for_each(Use use) const noexcept {
-    for (std::size_t k = 0; k < kStepWindows; ++k)
-      for (std::size_t j = 1; j + 1 < kSamples; ++j) {
-        const std::int64_t i = kFirstStep[k] + static_cast<std::int64_t>(j);
-        use(windows_[k], j, i, kOne_q16 - (square(i * kStep_q16) >> 16));
-      }
+  void for_each(int steps, Use use) const noexcept {
+    for (int i = 1; i <= steps; ++i) {
+      const std::size_t k = i <= 6 ? 0 : (i <= kStepsInRing ? 1 : 2);
+      use(windows_[k], static_cast<std::size_t>(i - kFirst[k]), std::int64_t{i},
+          kOne_q16 - (square(i * kStep_q16) >> 16));
+    }
   }
 
+  static constexpr int windows_of(int steps) noexcept { return steps <= kStepsInRing ? 2 : 3; }
+
  private:
-  std::array<OppositeSums, kStepWindows> windows_;
+  static constexpr std::array<int, 3> kFirst{0, 6, 8};  // steps at which windows begin
+  std::array<OppositeSums, 3> windows_;
 };
 
 }  // namespace articam::vision

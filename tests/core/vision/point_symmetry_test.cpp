@@ -31,14 +31,16 @@ struct Blob {
   static constexpr int kSize_px = 80;
   std::vector<std::uint8_t> pixels;
 
-  explicit Blob(test::Random* noise) : pixels(kSize_px * kSize_px) {
+  /// Light grows by `gain` of it in a radius along the first axis.
+  explicit Blob(test::Random* noise, double gain = 0) : pixels(kSize_px * kSize_px) {
     const Mat<double, 2, 2> in_radii = axes().inverse();
     for (int v = 0; v < kSize_px; ++v)
       for (int u = 0; u < kSize_px; ++u) {
-        const double square = (in_radii * (Vec<double, 2>(u, v) - kCentre_px)).squaredNorm();
-        const double grey = 200 - 150 * std::exp(-square / (2 * kWidth * kWidth));
+        const Vec<double, 2> x = in_radii * (Vec<double, 2>(u, v) - kCentre_px);
+        const double grey = (200 - 150 * std::exp(-x.squaredNorm() / (2 * kWidth * kWidth))) * (1 + gain * x.x());
         const double seen = grey + (noise != nullptr ? kNoise_grey * noise->gaussian() : 0);
-        pixels[static_cast<std::size_t>(v * kSize_px + u)] = static_cast<std::uint8_t>(std::lround(seen));
+        pixels[static_cast<std::size_t>(v * kSize_px + u)] =
+            static_cast<std::uint8_t>(std::lround(std::clamp(seen, 0.0, 255.0)));
       }
   }
   ImageView view() const { return {pixels.data(), kSize_px, kSize_px, kSize_px}; }
@@ -55,6 +57,7 @@ Centre at(double u_px, double v_px) {
   Centre centre;
   centre.u_q16 = q16(u_px), centre.v_q16 = q16(v_px);
   centre.variance_q24 = 1 << 20;
+  centre.edges_agree = true;
   return centre;
 }
 
@@ -100,27 +103,34 @@ TEST(PointSymmetry, ErrsAsLittleAsNoiseAllows) {
   EXPECT_NEAR(normalised / kTrials, 1.1, 0.4);  // its share of noise was found with rings
 }
 
-TEST(PointSymmetry, CountsAsMuchAsLightIsEven) {
-  Centre half = at(40.15, 31.95), none = half;
-  half.uneven_q16 = kOne_q16 / 2;
-  weigh(Blob{nullptr}, blurred_edge(), half);
-  EXPECT_NEAR(place(half).x(), (40.15 + kCentre_px.x()) / 2, 0.003);
-  EXPECT_NEAR(place(half).y(), (31.95 + kCentre_px.y()) / 2, 0.003);
+// Light that grows by a tenth in a radius moves what is taken for the middle in even light.
+TEST(PointSymmetry, TellsLightFromAShift) {
+  const Blob blob{nullptr, 0.1};
+  Centre even = at(40.15, 31.95), uneven = even, half = even;
+  uneven.uneven_q16 = kOne_q16, half.uneven_q16 = kOne_q16 / 2;
+  weigh(blob, blurred_edge(), even);
+  weigh(blob, blurred_edge(), uneven);
+  weigh(blob, blurred_edge(), half);
+  EXPECT_GT((place(even) - kCentre_px).norm(), 0.1);
+  EXPECT_LT((place(uneven) - kCentre_px).norm(), 0.012);
+  EXPECT_LT((place(half) - (place(even) + place(uneven)) / 2).norm(), 0.001);
   EXPECT_GT(half.variance_q24 / 16777216.0, (place(half) - kCentre_px).squaredNorm() / 2);  // it is one or the other
-
-  none.uneven_q16 = kOne_q16;
-  weigh(Blob{nullptr}, blurred_edge(), none);
-  EXPECT_EQ(place(none), place(at(40.15, 31.95)));
 }
 
-TEST(PointSymmetry, IsNotAskedWhereEdgesAreNarrowOrHidden) {
+TEST(PointSymmetry, IsNotAskedWhereEdgesAreNarrowHiddenOrDisagree) {
   const Vec<double, 2> before{40.15, 31.95};
   EdgeFit sharp = blurred_edge(), hidden = sharp;
   sharp.blur_q8 = 128, hidden.flaws = vision::kOccluded;
+  Centre centre = at(before.x(), before.y()), apart = centre, far = centre;
   for (const EdgeFit& outer : {sharp, hidden}) {
-    Centre centre = at(before.x(), before.y());
     weigh(Blob{nullptr}, outer, centre);
     EXPECT_EQ(place(centre), place(at(before.x(), before.y())));
+  }
+  apart.edges_agree = false;
+  far.hole_q24 = {(1 << 24) / 16, 0};  // 0.56 px
+  for (Centre unknown : {apart, far}) {
+    weigh(Blob{nullptr}, blurred_edge(), unknown);
+    EXPECT_EQ(place(unknown), place(at(before.x(), before.y())));
   }
 }
 
