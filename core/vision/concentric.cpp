@@ -40,6 +40,12 @@ struct Noise {
   std::int32_t ratio_q16;
 };
 
+// tanh of z, to 0.024; 1 from 3 on.
+std::int64_t tanh_q16(std::int64_t z_q16) noexcept {
+  const std::int64_t z = std::clamp<std::int64_t>(z_q16, -3 * kOne_q16, 3 * kOne_q16), z2 = z * z >> kQ16;
+  return z * (27 * kOne_q16 + z2) / (27 * kOne_q16 + 9 * z2);
+}
+
 // The offset's part that has a sign, and what is not known of it: d less it has the variance `of_seen_q40`.
 struct Sided {
   std::int64_t offset_q24, variance_q40;
@@ -92,15 +98,14 @@ Estimate in_any_light(std::int64_t seen_q24, std::int64_t half_q24, std::int64_t
 // known. What blur may have left of the axes differs as their squares do.
 std::int64_t of_offset_q40(const EdgeFit& outer, std::int64_t of_outer_q40, const HoleOffset& offset,
                            const Pinhole& camera, std::int64_t half_q24) noexcept {
-  const std::int64_t minor2_q16 = square(minor_q16(outer.ellipse)) >> kQ16;
-  const std::int64_t major2_q16 = std::max<std::int64_t>(2 * mean_square_q16(outer.ellipse) - minor2_q16, 1);
-  const std::int64_t differ_q16 = std::max<std::int64_t>(kOne_q16 - share_q16(minor2_q16, major2_q16), 0);
+  const std::int64_t major2_q16 = major_square_q16(outer.ellipse);
+  const std::int64_t differ_q16 = kOne_q16 - share_q16(2 * mean_square_q16(outer.ellipse) - major2_q16, major2_q16);
   const std::int64_t of_axes_q40 =
-      std::min((2 * std::int64_t{outer.axis_variance_q24} << 28) / (major2_q16 >> 4 | 1), kMost_q40);
+      std::min((2 * std::int64_t{outer.axis_variance_q24} << 28) / (major2_q16 >> 4), kMost_q40);
   const std::int64_t of_share_q40 = 4 * of_outer_q40 + (of_axes_q40 * (square(differ_q16) >> kQ16) >> kQ16);
   const std::int64_t scale_q24 = (std::int64_t{offset.scale_q16} << kQ24) / offset.major_q16;
-  const std::int64_t of_square =
-      std::min(square_q40(scale_q24) * integer_sqrt(of_share_q40 << 8) >> kQ24, std::int64_t{1} << 31);
+  const std::int64_t scale_q40 = std::min(square_q40(scale_q24), std::int64_t{1} << 38);
+  const std::int64_t of_square = std::min(scale_q40 * integer_sqrt(of_share_q40 << 8) >> kQ24, std::int64_t{1} << 31);
   return of_square * of_square / (square_q40(half_q24) + 2 * of_square + 1) +
          square_q40(scale_q24 * camera.unsure_q16 >> kQ16);
 }
@@ -142,7 +147,9 @@ Estimate weighed(const Estimate& any, const Estimate& even, std::int64_t belief_
   return {mixed(even.place_q24, any.place_q24),
           mixed(even.variance_q40, any.variance_q40) + (square_q40(apart_q24) * unsure_q16 >> kQ16),
           any.contradicts_q40,
-          {mixed(even.side.offset_q24, any.side.offset_q24), mixed(even.side.variance_q40, any.side.variance_q40)}};
+          {mixed(even.side.offset_q24, any.side.offset_q24),
+           mixed(even.side.variance_q40, any.side.variance_q40) +
+               (square_q40(any.side.offset_q24 - even.side.offset_q24) * unsure_q16 >> kQ16)}};
 }
 
 }  // namespace
@@ -175,7 +182,7 @@ bool join_centres(const EdgeFit& outer, const EdgeFit& hole, const Pinhole& came
          true,
          belief_q16,
          {mean.a + sided.a, mean.b + sided.b},
-         noise.offset + a.side.variance_q40};
+         2 * noise.offset + a.side.variance_q40};
   return true;
 }
 

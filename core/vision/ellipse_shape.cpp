@@ -28,6 +28,10 @@ std::int64_t minor_q16(const Ellipse& e) noexcept {
   return integer_sqrt(std::max<std::int64_t>(1, mean_q16 - gap_q16) << kQ16);
 }
 
+std::int64_t major_square_q16(const Ellipse& e) noexcept {
+  return 2 * mean_square_q16(e) - (square(minor_q16(e)) >> kQ16);
+}
+
 std::int64_t in_px_q24(const Ellipse& e, std::int64_t variance_q40) noexcept {
   const std::int64_t square_q16 = mean_square_q16(e);
   const int down = std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(square_q16))) - 24);

@@ -13,6 +13,9 @@ std::int64_t mean_radius_q16(const Ellipse& e) noexcept;
 /// Mean of the squared semi-axes, px^2, Q16.
 std::int64_t mean_square_q16(const Ellipse& e) noexcept;
 
+/// Square of the semi-major axis, px^2, Q16.
+std::int64_t major_square_q16(const Ellipse& e) noexcept;
+
 /// Semi-minor axis, px, Q16.
 std::int64_t minor_q16(const Ellipse& e) noexcept;
 

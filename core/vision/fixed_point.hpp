@@ -23,13 +23,6 @@ inline std::int64_t integer_sqrt(std::int64_t x) noexcept {
   return root;
 }
 
-/// tanh z, to 0.02; 1 from z = 3 on.
-constexpr std::int64_t tanh_q16(std::int64_t z_q16) noexcept {
-  constexpr std::int64_t kOne = kOne_q16;
-  const std::int64_t z = z_q16 > 3 * kOne ? 3 * kOne : (z_q16 < -3 * kOne ? -3 * kOne : z_q16), z2 = z * z >> 16;
-  return z * (27 * kOne + z2) / (27 * kOne + 9 * z2);
-}
-
 /// Directions of the rays that leave a mark's centre.
 inline constexpr int kDirections = 128;
 

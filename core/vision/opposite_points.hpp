@@ -11,7 +11,7 @@ namespace articam::vision {
 
 /// Samples lie a step apart on a ray from the middle outwards. Windows of eight overlap, so that all but the first and
 /// the last are between two others: steps 1 to 6, 7 to 12 (1.06 radii), and 13 and 14 (1.24) on the border of the mark.
-inline constexpr std::int32_t kStep_q16 = 23 * kOne_q16 / 20 / 13;  ///< radii
+inline constexpr std::int32_t kStep_q16 = kOne_q16 * 115 / 100 / 13;  ///< radii: the second window ends at 1.15
 inline constexpr int kStepsInRing = 12, kStepsWithBorder = 14;
 
 /// Something at each sample of a window.
@@ -35,7 +35,7 @@ class OppositePoints {
   template <class Use>
   void for_each(int steps, Use use) const noexcept {
     for (int i = 1; i <= steps; ++i) {
-      const std::size_t k = i <= 6 ? 0 : (i <= kStepsInRing ? 1 : 2);
+      const std::size_t k = i <= kFirst[1] ? 0 : (i <= kStepsInRing ? 1 : 2);
       use(windows_[k], static_cast<std::size_t>(i - kFirst[k]), std::int64_t{i},
           kOne_q16 - (square(i * kStep_q16) >> 16));
     }
@@ -45,6 +45,8 @@ class OppositePoints {
 
  private:
   static constexpr std::array<int, 3> kFirst{0, 6, 8};  // steps at which windows begin
+  static_assert(kFirst[1] + 2 == kSamples && kFirst[1] + kSamples - 2 == kStepsInRing &&
+                kFirst[2] + kSamples - 2 == kStepsWithBorder);
   std::array<OppositeSums, 3> windows_;
 };
 

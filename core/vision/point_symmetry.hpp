@@ -14,9 +14,10 @@ namespace articam::vision {
 ///
 /// whose least squares over all points are the move c, and what light grows by, g: in even light g is 0 and points up
 /// to 1.06 radii count, else up to 1.24, on the mark's border. Both are weighted as io, what the edges tell, believes
-/// in light. Edges that are nearer to each other than they are wide need not be told apart.
-/// io is unchanged where something hides the ring, where samples, a twelfth of a radius apart, lie farther apart than
-/// its edges are wide, and where perspective parts its circles by half a pixel.
+/// in light; where light hardly counts or cannot be told, the edges' answer stands for the second. Edges that are
+/// nearer to each other than they are wide need not be told apart.
+/// io is unchanged where something hides the ring, where its edges are much narrower than the samples' distance, an
+/// eleventh of a radius, and where perspective parts its circles by half a pixel.
 ///
 /// Work  two readings of 32 to 128 rays, three in uneven light; `budget` is charged as by fit_edge().
 void weigh_symmetry(const ImageView& image, const EdgeFit& outer, std::int32_t ratio_q16, int& budget,

@@ -55,12 +55,12 @@ Light light_of(const OppositePoints& points, const Shift& o) noexcept {
   Light light{};
   points.for_each(kStepsWithBorder, [&](const OppositeSums& s, std::size_t j, std::int64_t i, std::int64_t inside_q16) {
     const Seen y(o, inside_q16);
-    const std::int64_t once = i * i, twice = i * i * i;
-    light.G.aa += twice * s.xx[j] >> 10, light.G.ab += twice * s.xy[j] >> 10, light.G.bb += twice * s.yy[j] >> 10;
-    light.ax += once * s.ax[j] >> 5, light.ay += once * s.ay[j] >> 5;
-    light.bx += once * s.bx[j] >> 5, light.by += once * s.by[j] >> 5;
-    light.right.a += once * y.times_q22(s.xD[j], s.ax[j], s.bx[j]) >> 5;
-    light.right.b += once * y.times_q22(s.yD[j], s.ay[j], s.by[j]) >> 5;
+    const std::int64_t i2 = i * i, i3 = i * i2;
+    light.G.aa += i3 * s.xx[j] >> 10, light.G.ab += i3 * s.xy[j] >> 10, light.G.bb += i3 * s.yy[j] >> 10;
+    light.ax += i2 * s.ax[j] >> 5, light.ay += i2 * s.ay[j] >> 5;
+    light.bx += i2 * s.bx[j] >> 5, light.by += i2 * s.by[j] >> 5;
+    light.right.a += i2 * y.times_q22(s.xD[j], s.ax[j], s.bx[j]) >> 5;
+    light.right.b += i2 * y.times_q22(s.yD[j], s.ay[j], s.by[j]) >> 5;
   });
   return light;
 }
@@ -68,7 +68,7 @@ Light light_of(const OppositePoints& points, const Shift& o) noexcept {
 }  // namespace
 
 bool SymmetricFit::solve(Shift& c_q16) const noexcept {
-  constexpr std::int64_t kMost = std::int64_t{1} << 38;  // four steps
+  constexpr std::int64_t kMost = std::int64_t{1} << 38;  // four steps of the largest W; products with W fit
   if (!W.is_round() || std::abs(right.a) >= kMost || std::abs(right.b) >= kMost) return false;
   const Shift c = W.adjugate_times(right);
   c_q16 = {c.a / W.det(), c.b / W.det()};

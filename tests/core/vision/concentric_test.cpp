@@ -98,6 +98,23 @@ TEST(JoinedCentres, LeaveAHoleThatIsElsewhereOutAndSaySo) {
   EXPECT_NEAR(std::sqrt(centre.variance_q24 / 16777216.0), 0.5 / std::sqrt(2), 0.02);
 }
 
+// The widest lens that counts as known shows a ring of half the frame: offsets of several radii, known badly.
+TEST(JoinedCentres, OfAWideLensAndALargeRingStayInTheirRange) {
+  const Vec<double, 2> zero = Vec<double, 2>::Zero();
+  Fits both = fits(zero, zero, zero, zero, 0.02);
+  for (EdgeFit* fit : {&both.outer, &both.hole}) {
+    fit->ellipse.m00_q16 = fit->ellipse.m11_q16 = q16(fit == &both.outer ? 230 : 230 * kRatio);
+    fit->ellipse.m10_q16 = q16(20);
+    fit->plain_variance_q40 = q40(4e-4 / 32);
+  }
+  const vision::Pinhole widest{vision::kMinFocal_q16, q16(319.5), q16(239.5), 0};
+  vision::Centre centre;
+  EXPECT_TRUE(vision::join_centres(both.outer, both.hole, widest, kRatio_q16, centre));
+  EXPECT_GE(centre.hole_variance_q40, 0);
+  EXPECT_NEAR(vision::from_q16(centre.u_q16), 319.5, 1);
+  EXPECT_NEAR(vision::from_q16(centre.v_q16), 239.5, 1);
+}
+
 TEST(JoinedCentres, OfEdgesATenthOfARadiusApartAreNone) {
   const Vec<double, 2> zero = Vec<double, 2>::Zero();
   const Fits both = fits(zero, zero, {1.1, 0}, zero, 0.02);

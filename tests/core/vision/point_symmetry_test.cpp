@@ -27,17 +27,25 @@ std::int32_t q16(double px) { return static_cast<std::int32_t>(std::lround(px * 
 
 Mat<double, 2, 2> axes() { return (Mat<double, 2, 2>{} << 9, 0, 2, 8).finished(); }
 
+/// What may be odd about it: light that grows by `gain` of it in a radius along the first axis; lines of equal grey of
+/// radius r that lie (1 - r^2) of `offset` from the centre, radii.
+struct Oddities {
+  double gain = 0;
+  Vec<double, 2> offset = Vec<double, 2>::Zero();
+};
+
 struct Blob {
   static constexpr int kSize_px = 80;
   std::vector<std::uint8_t> pixels;
 
-  /// Light grows by `gain` of it in a radius along the first axis.
-  explicit Blob(test::Random* noise, double gain = 0) : pixels(kSize_px * kSize_px) {
+  explicit Blob(test::Random* noise, const Oddities& odd = {}) : pixels(kSize_px * kSize_px) {
     const Mat<double, 2, 2> in_radii = axes().inverse();
     for (int v = 0; v < kSize_px; ++v)
       for (int u = 0; u < kSize_px; ++u) {
         const Vec<double, 2> x = in_radii * (Vec<double, 2>(u, v) - kCentre_px);
-        const double grey = (200 - 150 * std::exp(-x.squaredNorm() / (2 * kWidth * kWidth))) * (1 + gain * x.x());
+        double r = x.norm();
+        for (int i = 0; i < 8; ++i) r = r < 2 ? (x - (1 - r * r) * odd.offset).norm() : r;
+        const double grey = (200 - 150 * std::exp(-r * r / (2 * kWidth * kWidth))) * (1 + odd.gain * x.x());
         const double seen = grey + (noise != nullptr ? kNoise_grey * noise->gaussian() : 0);
         pixels[static_cast<std::size_t>(v * kSize_px + u)] =
             static_cast<std::uint8_t>(std::lround(std::clamp(seen, 0.0, 255.0)));
@@ -63,9 +71,11 @@ Centre at(double u_px, double v_px) {
 
 Vec<double, 2> place(const Centre& c) { return {vision::from_q16(c.u_q16), vision::from_q16(c.v_q16)}; }
 
-void weigh(const Blob& blob, const EdgeFit& outer, Centre& io) {
+/// Returns what it cost.
+int weigh(const Blob& blob, const EdgeFit& outer, Centre& io) {
   int budget = 0;
   weigh_symmetry(blob.view(), outer, kRatio_q16, budget, io);
+  return -budget;
 }
 
 TEST(PointSymmetry, FindsTheMiddleOfWhatHasNoEdges) {
@@ -105,7 +115,7 @@ TEST(PointSymmetry, ErrsAsLittleAsNoiseAllows) {
 
 // Light that grows by a tenth in a radius moves what is taken for the middle in even light.
 TEST(PointSymmetry, TellsLightFromAShift) {
-  const Blob blob{nullptr, 0.1};
+  const Blob blob{nullptr, {.gain = 0.1}};
   Centre even = at(40.15, 31.95), uneven = even, half = even;
   uneven.uneven_q16 = kOne_q16, half.uneven_q16 = kOne_q16 / 2;
   weigh(blob, blurred_edge(), even);
@@ -123,31 +133,62 @@ TEST(PointSymmetry, IsNotAskedWhereEdgesAreNarrowHiddenOrDisagree) {
   sharp.blur_q8 = 128, hidden.flaws = vision::kOccluded;
   Centre centre = at(before.x(), before.y()), apart = centre, far = centre;
   for (const EdgeFit& outer : {sharp, hidden}) {
-    weigh(Blob{nullptr}, outer, centre);
+    EXPECT_EQ(weigh(Blob{nullptr}, outer, centre), 0);
     EXPECT_EQ(place(centre), place(at(before.x(), before.y())));
   }
   apart.edges_agree = false;
   far.hole_q24 = {(1 << 24) / 16, 0};  // 0.56 px
   for (Centre unknown : {apart, far}) {
-    weigh(Blob{nullptr}, blurred_edge(), unknown);
+    EXPECT_EQ(weigh(Blob{nullptr}, blurred_edge(), unknown), 0);
     EXPECT_EQ(place(unknown), place(at(before.x(), before.y())));
+    EXPECT_EQ(unknown.variance_q24, 1u << 20);
   }
 }
 
-// Something bright before one side of it: the rest grows, and with it the variance, beyond what the edges claim.
+// Perspective parts circles; whoever does not know by how much takes a third of it for a move.
+TEST(PointSymmetry, GoesByWhereTheHoleIs) {
+  const double ratio = kRatio_q16 / 65536.0;
+  const Vec<double, 2> hole{0.04, -0.02};  // radii
+  const Blob blob{nullptr, {.offset = hole / (1 - ratio * ratio)}};
+  Centre told = at(40.15, 31.95), untold = told, unsure = told;
+  told.hole_q24 = {std::llround(hole.x() * 16777216), std::llround(hole.y() * 16777216)};
+  unsure.hole_q24 = told.hole_q24, unsure.hole_variance_q40 = std::int64_t{1} << 27;  // 0.008 radii of each coordinate
+  for (Centre* centre : {&told, &untold, &unsure}) weigh(blob, blurred_edge(), *centre);
+  EXPECT_LT((place(told) - kCentre_px).norm(), 0.015);
+  EXPECT_GT((place(untold) - kCentre_px).norm(), 0.15);
+  EXPECT_EQ(place(unsure), place(told));
+  const double more_px = std::sqrt((unsure.variance_q24 - told.variance_q24) / 16777216.0);
+  EXPECT_GT(more_px, 0.008 * 8 * 0.2);
+  EXPECT_LT(more_px, 0.008 * 9 * 0.8);
+}
+
+TEST(PointSymmetry, CostsTwoReadingsAndInUnevenLightThree) {
+  Centre even = at(40.15, 31.95), uneven = even;
+  uneven.uneven_q16 = kOne_q16 / 4;
+  const int reading = (vision::kRaysPerPass + 64) * vision::kLooksPerRay;
+  EXPECT_EQ(weigh(Blob{nullptr}, blurred_edge(), even), 2 * reading);
+  EXPECT_EQ(weigh(Blob{nullptr}, blurred_edge(), uneven), 3 * reading);
+}
+
+// Something bright before one side of it: the rest grows, and with it the variance. Beyond what the edges claim, and
+// far from their answer, it is theirs that counts.
 TEST(PointSymmetry, OfWhatIsNotSymmetricIsUnsureOrNotAsked) {
-  Blob blob{nullptr};
-  Centre whole = at(40.2, 31.9), hidden = whole, claimed = whole;
+  test::Random noise{3};
+  Blob blob{&noise};
+  Centre whole = at(40.2, 31.9), hidden = whole, claimed = whole, far = at(40.9, 31.8);
   weigh(blob, blurred_edge(), whole);
   for (int v = 30; v < 34; ++v)
     for (int u = 44; u < 48; ++u) blob.pixels[static_cast<std::size_t>(v * Blob::kSize_px + u)] = 200;
   weigh(blob, blurred_edge(), hidden);
-  EXPECT_GT(hidden.variance_q24, 100 * whole.variance_q24);
+  EXPECT_GT(hidden.variance_q24, 5 * whole.variance_q24);
 
-  claimed.variance_q24 = hidden.variance_q24 / 3;
   const Vec<double, 2> before = place(claimed);
+  claimed.variance_q24 = hidden.variance_q24 / 3;
   weigh(blob, blurred_edge(), claimed);
   EXPECT_EQ(place(claimed), before);
+  far.variance_q24 = 1 << 13;  // 0.02 px
+  weigh(Blob{nullptr}, blurred_edge(), far);
+  EXPECT_EQ(place(far), place(at(40.9, 31.8)));
 }
 
 TEST(PointSymmetry, OfAFlatImageChangesNothing) {
