@@ -52,17 +52,16 @@ struct Found {
 
 // Noise of a pixel is 9/4 of a sample's, which is blended of four. A sample at n steps stands for n step^2 2 pi / rays
 // of the unit disc, so c has in radii the variance  9 / 4 share rest / area W^-1 / (pi |M|),  rest being what is left
-// of all D / 2 when c is known. Half the trace of W^-1 is half that of W by its determinant.
+// of all D / 2 when c is known. The trace of W^-1 is that of W by its determinant; half of it is each coordinate's.
 bool find_centre(const SymmetricFit& fit, const Ring& ring, const Ellipse& e, Found& out) noexcept {
   Shift c;
-  if (!fit.solve(c)) return false;
-  const std::int64_t explained_q10 = ((c.a * (fit.right.a >> 12) + c.b * (fit.right.b >> 12)) >> 16) << fit.down;
-  const std::int64_t rest_q10 = std::max<std::int64_t>(fit.rest_q10 - explained_q10, 1);
+  std::int64_t rest_q10;
+  if (!fit.solve(c, rest_q10)) return false;
   constexpr std::int64_t kMost = std::int64_t{1} << 42;
   constexpr std::int64_t kUnit_q20 = 375503;  // 9 / 4 / 2 / pi
   const std::int64_t area_q8 = std::int64_t{e.m00_q16} * e.m11_q16 >> 24;
   const std::int64_t by_area_q10 = std::min(rest_q10 * ring.noise_share_q8() / area_q8, kMost);
-  // W is Q6, and so is its trace by 2^16 of its determinant Q10 of the inverse.
+  // The trace of W, Q6, by its determinant, Q12 less 16 bits, is Q10.
   const std::int64_t by_slopes_q20 = std::min(by_area_q10 * fit.W.trace() / (fit.W.det() >> 16), kMost);
   out = {{c.a * kStep_q16 >> 8, c.b * kStep_q16 >> 8},
          std::min(by_slopes_q20 * (kUnit_q20 / fit.area) >> fit.down, kMost_q40)};
@@ -99,8 +98,8 @@ Move in_px(const Found& found, const Ellipse& e, std::int64_t claimed_q24) noexc
   return hides ? Move{0, 0, claimed_q24} : move;
 }
 
-// The mean of both by how likely they are.
-void move(const Move& even, const Move& any, Centre& io) noexcept {
+// Moves the edges' answer to the mean of both by how likely they are.
+void apply(const Move& even, const Move& any, Centre& io) noexcept {
   const std::int64_t uneven_q16 = io.uneven_q16, unsure_q16 = uneven_q16 * (kOne_q16 - uneven_q16) >> kQ16;
   const auto mixed = [uneven_q16](std::int64_t e, std::int64_t a) { return e + ((a - e) * uneven_q16 >> kQ16); };
   const std::int64_t apart2_q32 = square(any.u_q16 - even.u_q16) + square(any.v_q16 - even.v_q16);
@@ -115,7 +114,8 @@ void move(const Move& even, const Move& any, Centre& io) noexcept {
 void weigh_symmetry(const ImageView& image, const EdgeFit& outer, std::int32_t ratio_q16, int& budget,
                     Centre& io) noexcept {
   if (!io.edges_agree || (outer.flaws & kOccluded) != 0 || !is_sampled_finely(outer)) return;
-  // Blur mixes circles: where they lie farther apart, (1 - r^2) o is not what it makes of them, on the border least.
+  // Blur mixes circles, so that (1 - r^2) o holds only where perspective parts them by little: on the border, which is
+  // farthest from the hole, by less.
   const Ring seen(outer);
   if (!seen.has_its_hole_within(io.hole_q24, kOne_q16 / 2)) return;
   const bool light_counts = 16 * io.uneven_q16 > kOne_q16 && seen.has_its_hole_within(io.hole_q24, kOne_q16 / 7);
@@ -139,7 +139,7 @@ void weigh_symmetry(const ImageView& image, const EdgeFit& outer, std::int32_t r
     found.variance_q40 = found.variance_q40 * 3 / 2 + offset.variance_q40;  // measured, as Ring::noise_share_q8()
     any = in_px(found, ring, claimed_q24);
   }
-  move(even, any, io);
+  apply(even, any, io);
 }
 
 }  // namespace articam::vision

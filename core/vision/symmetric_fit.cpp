@@ -31,6 +31,11 @@ int shift_to_20_bits(std::int64_t x) noexcept {
 
 Shift shifted(const Shift& x, int down) noexcept { return {x.a >> down, x.b >> down}; }
 
+// How much less is left of squares when x is what its equations, with that right side, say.
+std::int64_t explained_q10(const Shift& x_q16, const Shift& right, int down) noexcept {
+  return ((x_q16.a * (right.a >> 12) + x_q16.b * (right.b >> 12)) >> 16) << down;
+}
+
 Symmetric2 shifted(const Symmetric2& m, int down) noexcept { return {m.aa >> down, m.ab >> down, m.bb >> down}; }
 
 // Adds the equations of the centre.
@@ -40,7 +45,7 @@ void add(const OppositePoints& points, int last, const Shift& o, SymmetricFit& o
     out.W.aa += i * s.aa[j], out.W.ab += i * s.ab[j], out.W.bb += i * s.bb[j];
     out.right.a -= i * y.times_q22(s.aD[j], s.aa[j], s.ab[j]);
     out.right.b -= i * y.times_q22(s.bD[j], s.ab[j], s.bb[j]);
-    out.rest_q10 += i * y.square_q10(s, j);
+    out.left_q10 += i * y.square_q10(s, j);
     out.area += static_cast<int>(i);
   });
 }
@@ -67,11 +72,12 @@ Light light_of(const OppositePoints& points, const Shift& o) noexcept {
 
 }  // namespace
 
-bool SymmetricFit::solve(Shift& c_q16) const noexcept {
+bool SymmetricFit::solve(Shift& c_q16, std::int64_t& rest_q10) const noexcept {
   constexpr std::int64_t kMost = std::int64_t{1} << 38;  // four steps of the largest W; products with W fit
   if (!W.is_round() || std::abs(right.a) >= kMost || std::abs(right.b) >= kMost) return false;
   const Shift c = W.adjugate_times(right);
   c_q16 = {c.a / W.det(), c.b / W.det()};
+  rest_q10 = std::max<std::int64_t>(left_q10 - explained_q10(c_q16, right, down), 1);
   return square(c_q16.a) + square(c_q16.b) <= square(kOne_q16);
 }
 
@@ -107,9 +113,8 @@ bool fit_in_any_light(const OppositePoints& points, const Shift& o, SymmetricFit
   const auto times = [](const Shift& y_q20, const Shift& x) { return (y_q20.a * x.a + y_q20.b * x.b) >> 20; };
   fit.W = {w.aa - times(ya, xa), w.ab - times(ya, xb), w.bb - times(yb, xb)};
   fit.right = {right.a + times(ya, seen), right.b + times(yb, seen)};
-  const Shift gain = g.adjugate_times(seen);  // of Q16 by det
-  const std::int64_t gain_a_q16 = gain.a / g.det(), gain_b_q16 = gain.b / g.det();
-  fit.rest_q10 -= ((gain_a_q16 * (seen.a >> 12) + gain_b_q16 * (seen.b >> 12)) >> 16) << fit.down;
+  const Shift gain = g.adjugate_times(seen);
+  fit.left_q10 -= explained_q10({gain.a / g.det(), gain.b / g.det()}, seen, fit.down);
   out = fit;
   return true;
 }

@@ -23,12 +23,13 @@ struct Symmetric2 {
 struct SymmetricFit {
   Symmetric2 W;             ///< of the slopes, grey^2 per step^2, Q6, times 2^-down
   Shift right;              ///< Q22 times 2^-down, so that c is in steps, Q16
-  std::int64_t rest_q10{};  ///< of (D / 2)^2 beside what the hole's offset, and light if it is sought, explain, grey^2
+  std::int64_t left_q10{};  ///< of (D / 2)^2 beside what the hole's offset, and light if it is sought, explain, grey^2
   int down{};
   int area{};  ///< the weights of a ray's samples
 
-  /// False where the slopes do not tell, or cannot be told from light, or c is beyond a step.
-  bool solve(Shift& c_q16) const noexcept;
+  /// And what is left when c is known, too. False where the slopes do not tell, or cannot be told from light, or c is
+  /// beyond a step.
+  bool solve(Shift& c_q16, std::int64_t& rest_q10) const noexcept;
 };
 
 /// Where circles of radius r lie (1 - r^2) o from the centre, o in steps, Q16, below sixteen. In even light the ring
